@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "harness/diagnosis/breakage.h"
-#include "harness/diagnosis/dark_lamps.h"
+#include "harness/diagnosis/dark_lights.h"
 #include "harness/diagnosis/faint.h"
 #include "harness/diagnosis/guess.h"
 #include "harness/diagnosis/pictures/comparison.h"
@@ -45,8 +45,8 @@ std::optional<Finding> other_scene(const Comparison& comparison, const SceneKnow
   return std::nullopt;
 }
 
-/// A reference that was itself cut at white does not know how bright lamps are, which is what wraps around: our picture
-/// of the scene does.
+/// A reference that was itself cut at white does not know how bright lights are, which is what wraps around: our
+/// picture of the scene does.
 Image unclamped(const SceneKnowledge& knowledge) {
   Image light = knowledge.reference;
   const Image& model = knowledge.light.get().model;
@@ -227,7 +227,7 @@ std::vector<Finding> diagnose(const Image& submitted, const SceneKnowledge& know
     if (std::optional<Finding> other = other_scene(comparison, knowledge, search.at_first())) return {*other};
   findings = search.run();
   if (findings.empty() && breakage.findings.empty())
-    if (std::optional<Finding> lamps = find_dark_lamps(submitted, knowledge)) findings.push_back(*lamps);
+    if (std::optional<Finding> lights = find_dark_lights(submitted, knowledge)) findings.push_back(*lights);
   // Noise explains a picture only where nothing else is wrong with it.
   if (findings.empty() && breakage.findings.empty())
     if (std::optional<Finding> noise = find_noise(comparison, knowledge)) findings.push_back(*noise);

@@ -10,14 +10,14 @@
 namespace photonproof::inline harness_diagnosis {
 namespace {
 
-struct Lamp {
+struct Light {
   Vec3d middle, normal;
   double power;
 };
 
-/// Each lamp as nine.
-std::vector<Lamp> plain_lamps(const SceneDescription& scene) {
-  std::vector<Lamp> lamps;
+/// Each light as nine.
+std::vector<Light> plain_lights(const SceneDescription& scene) {
+  std::vector<Light> lights;
   for (const ShapeDescription& shape : scene.shapes) {
     if (!shape.radiance || !std::holds_alternative<RectangleDescription>(shape.geometry)) continue;
     const auto* radiance = std::get_if<RgbD>(&*shape.radiance);
@@ -26,19 +26,19 @@ std::vector<Lamp> plain_lamps(const SceneDescription& scene) {
     const double power = length(cross(a, b)) * max_component(*radiance);
     for (const double x : {-0.67, 0.0, 0.67})
       for (const double y : {-0.67, 0.0, 0.67})
-        lamps.push_back({shape.to_world.point({x, y, 0}), normalize(shape.to_world.vector({0, 0, 1})), power});
+        lights.push_back({shape.to_world.point({x, y, 0}), normalize(shape.to_world.vector({0, 0, 1})), power});
   }
-  return lamps;
+  return lights;
 }
 
-/// Of the formula, at a surface by the light of one lamp.
+/// Of the formula, at a surface by the light of one light.
 struct Factors {
-  double surface, lamp, distance;
+  double surface, area_light, distance;
 };
 
 struct FormulaRow {
   const char *kind, *sentence, *cause;
-  bool has_unit;  ///< of length: whoever makes the mistake then chooses lamps that look right
+  bool has_unit;  ///< of length: whoever makes the mistake then chooses lights that look right
   double (*factor)(const Factors&);
 };
 constexpr FormulaRow formula_rows[] = {
@@ -53,24 +53,24 @@ constexpr FormulaRow formula_rows[] = {
     {"cosine-missing", "direct light is too bright where it comes in flat, as if the surface's angle did not matter",
      "the cosine at the surface is missing (N dot L)", false, [](const Factors& f) { return 1 / f.surface; }},
     {"lamp-cosine-missing", "the lamp shines as brightly to the side as ahead", "the cosine at the lamp is missing",
-     false, [](const Factors& f) { return 1 / f.lamp; }},
+     false, [](const Factors& f) { return 1 / f.area_light; }},
     {"cosine-twice", "direct light depends too strongly on the surface's angle",
      "the cosine at the surface is taken twice", false, [](const Factors& f) { return f.surface; }},
     {"lamp-cosine-twice", "the lamp shines too little to the side", "the cosine at the lamp is taken twice", false,
-     [](const Factors& f) { return f.lamp; }},
+     [](const Factors& f) { return f.area_light; }},
     {"cosines-missing", "direct light depends on no angle", "the cosines at the surface and at the lamp are missing",
-     false, [](const Factors& f) { return 1 / (f.surface * f.lamp); }},
+     false, [](const Factors& f) { return 1 / (f.surface * f.area_light); }},
 };
 
-/// The mean over lamps, by how much light they send there.
-double factor_at(const SeenPlace& point, const std::vector<Lamp>& lamps, const FormulaRow& row) {
+/// The mean over lights, by how much light they send there.
+double factor_at(const SeenPlace& point, const std::vector<Light>& lights, const FormulaRow& row) {
   double sum = 0, all = 0;
-  for (const Lamp& lamp : lamps) {
-    const Vec3d to = lamp.middle - point.position_world;
+  for (const Light& area_light : lights) {
+    const Vec3d to = area_light.middle - point.position_world;
     const double r = length(to);
     const Factors factors{std::max(0.05, dot(point.normal_world, to) / r),
-                          std::max(0.05, std::abs(dot(lamp.normal, to)) / r), r};
-    const double light = lamp.power * factors.surface * factors.lamp / (r * r);
+                          std::max(0.05, std::abs(dot(area_light.normal, to)) / r), r};
+    const double light = area_light.power * factors.surface * factors.area_light / (r * r);
     sum += light * row.factor(factors);
     all += light;
   }
@@ -86,14 +86,14 @@ Image times_factors(Image direct, const std::vector<double>& factor, double by) 
 
 std::vector<DirectMistake> direct_mistakes(const SceneDescription& scene, const std::vector<SeenPlace>& points,
                                            const Image& direct) {
-  const std::vector<Lamp> lamps = plain_lamps(scene);
+  const std::vector<Light> lights = plain_lights(scene);
   std::vector<DirectMistake> mistakes;
-  if (lamps.empty()) return mistakes;
+  if (lights.empty()) return mistakes;
   for (const FormulaRow& row : formula_rows) {
     std::vector<double> factor(points.size(), 1), lit;
     for (std::size_t i = 0; i < points.size(); ++i) {
       if (points[i].object == 0) continue;
-      factor[i] = factor_at(points[i], lamps, row);
+      factor[i] = factor_at(points[i], lights, row);
       if (direct.rgb[3 * i + 1] > 0.01f) lit.push_back(factor[i]);
     }
     if (lit.size() < 16) return {};

@@ -1,4 +1,4 @@
-// Direct light with a factor of its formula, E = L A cos(surface) cos(lamp) / r^2, left out or taken twice.
+// Direct light with a factor of its formula, E = L A cos(surface) cos(light) / r^2, left out or taken twice.
 #pragma once
 
 #include <string>
@@ -16,7 +16,7 @@ struct DirectMistake {
 };
 
 /// Each as bright as the right one in the median of what is lit, and those of cosines also as bright as the formula
-/// then says. Empty where lamps are not rectangles. `direct` is the right one, of the points' image.
+/// then says. Empty where lights are not rectangles. `direct` is the right one, of the points' image.
 std::vector<DirectMistake> direct_mistakes(const SceneDescription& scene, const std::vector<SeenPlace>& points,
                                            const Image& direct);
 

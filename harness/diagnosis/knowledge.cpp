@@ -106,7 +106,7 @@ class KnowledgeMaker {
     render.more = {"--view", view};
     return rendered(scene, render);
   }
-  /// Light from lamps to what is seen, without mirrors and glass.
+  /// Light from lights to what is seen, without mirrors and glass.
   Image direct_light(const SceneDescription& from) const {
     SceneDescription scene = from;
     PathDescription path;
@@ -137,9 +137,9 @@ class KnowledgeMaker {
     add_probe(light, "caustic", caustic);
     add_probe(light, "indirect", indirect);
     direct_ = direct_light(scene_);
-    // Lamps themselves are no direct light that could be lost with it.
+    // Lights themselves are no direct light that could be lost with it.
     for (std::size_t i = 0; i < points_.size(); ++i)
-      if (shows_lamp(i))
+      if (shows_light(i))
         for (std::size_t c = 0; c < 3; ++c) direct_.rgb[3 * i + c] = 0;
     add_probe(light, "direct", direct_);
   }
@@ -149,7 +149,7 @@ class KnowledgeMaker {
   }
 
   /// In the pixel or one beside it, whose edge may lie in this one.
-  bool shows_lamp(std::size_t pixel) const {
+  bool shows_light(std::size_t pixel) const {
     const int x = static_cast<int>(pixel % static_cast<std::size_t>(small_width_)),
               y = static_cast<int>(pixel / static_cast<std::size_t>(small_width_));
     for (int ny = std::max(0, y - 1); ny <= std::min(small_height_ - 1, y + 1); ++ny)
@@ -160,13 +160,13 @@ class KnowledgeMaker {
     return false;
   }
 
-  /// The model, but for what differs of direct light where it is seen that no lamp or body is.
+  /// The model, but for what differs of direct light where it is seen that no light or body is.
   Image with_direct(const Image& other) const {
     Image image = model_;
     for (std::size_t i = 0; i < points_.size(); ++i) {
       if (points_[i].object == 0) continue;
       const ShapeDescription& shape = scene_.shapes[points_[i].object - 1u];
-      if (shows_lamp(i) || is_body(scene_, shape)) continue;
+      if (shows_light(i) || is_body(scene_, shape)) continue;
       for (std::size_t c = 0; c < 3; ++c)
         image.rgb[3 * i + c] = std::max(0.0f, image.rgb[3 * i + c] + other.rgb[3 * i + c] - direct_.rgb[3 * i + c]);
     }

@@ -36,7 +36,7 @@ class Mistakes {
   std::vector<Mistake> run() {
     for (std::size_t i = 0; i < scene_.shapes.size(); ++i) {
       const ShapeDescription& shape = scene_.shapes[i];
-      if (shape.radiance) add_lamp(i);
+      if (shape.radiance) add_light(i);
       if (!visible_[i]) continue;
       add_without_shadow(i);
       if (std::holds_alternative<HeightfieldDescription>(shape.geometry)) add_water(i);
@@ -135,11 +135,11 @@ class Mistakes {
                          true});
   }
 
-  void add_lamp(std::size_t i) {
-    add_lamp_parts(i);
-    std::size_t lamps = scene_.emitters.size();
-    for (const ShapeDescription& shape : scene_.shapes) lamps += shape.radiance.has_value() ? 1 : 0;
-    if (lamps < 2) return;
+  void add_light(std::size_t i) {
+    add_light_parts(i);
+    std::size_t lights = scene_.emitters.size();
+    for (const ShapeDescription& shape : scene_.shapes) lights += shape.radiance.has_value() ? 1 : 0;
+    if (lights < 2) return;
     SceneDescription dark = scene_;
     dark.shapes[i].radiance.reset();
     add("lamp-missing", "the " + names_[i] + " gives no light", "only some of the lamps are sampled", i, dark);
@@ -163,16 +163,16 @@ class Mistakes {
     mistakes_.back().changes = bodies;
   }
 
-  /// A quarter of a lamp, at one of its corners, with the power of all of it.
-  void add_lamp_parts(std::size_t i) {
-    const ShapeDescription& lamp = scene_.shapes[i];
-    if (!std::holds_alternative<RectangleDescription>(lamp.geometry) || !std::holds_alternative<RgbD>(*lamp.radiance))
+  /// A quarter of a light, at one of its corners, with the power of all of it.
+  void add_light_parts(std::size_t i) {
+    const ShapeDescription& light = scene_.shapes[i];
+    if (!std::holds_alternative<RectangleDescription>(light.geometry) || !std::holds_alternative<RgbD>(*light.radiance))
       return;
     for (const double x : {-0.5, 0.5})
       for (const double y : {-0.5, 0.5}) {
         SceneDescription part = scene_;
-        part.shapes[i].to_world = lamp.to_world * Transform::translate({x, y, 0}) * Transform::scale({0.5, 0.5, 1});
-        part.shapes[i].radiance = std::get<RgbD>(*lamp.radiance) / 0.25;
+        part.shapes[i].to_world = light.to_world * Transform::translate({x, y, 0}) * Transform::scale({0.5, 0.5, 1});
+        part.shapes[i].radiance = std::get<RgbD>(*light.radiance) / 0.25;
         mistakes_.push_back({"lamp-part",
                              "light comes from a quarter of the " + names_[i] + " only, at one of its corners",
                              "places on it are drawn from 0 to 1 where its sides reach from -1 to 1",
@@ -184,7 +184,7 @@ class Mistakes {
       }
   }
 
-  /// Lamps of a tenth of their size and the same power.
+  /// Lights of a tenth of their size and the same power.
   void add_hard_shadows() {
     SceneDescription small = scene_;
     bool any = false;

@@ -20,7 +20,7 @@ struct Mistake {
   std::vector<std::size_t> changes = {};
   bool rough = false;  ///< the scene has only part of what it changes
   bool rare = false;   ///< of several that differ in a number, or seldom made
-  bool faint = false;  ///< a fine pattern, which noise and wide look-ups hide: WhatIf::fine
+  bool faint = false;  ///< a fine pattern, which noise and wide gathers hide: WhatIf::fine
 };
 
 /// `names` as object_names() gives them; `visible`: of each shape, whether the camera sees it.

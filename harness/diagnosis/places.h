@@ -13,7 +13,7 @@ namespace photonproof::inline harness_diagnosis {
 /// or words go by the image's parts alone.
 std::string place_of(const std::vector<double>& weight, int width, int height, const SceneKnowledge& knowledge);
 
-/// Whether a landmark of this name is a body in the room, and none of its walls, lamps or waters.
+/// Whether a landmark of this name is a body in the room, and none of its walls, lights or waters.
 bool names_body(const std::string& name);
 
 /// The least rectangle with nine tenths of the weight.

@@ -21,7 +21,7 @@ struct SeenPlace {
 /// seen. All 0 where the camera is not a perspective one.
 std::vector<SeenPlace> seen_points(const SceneDescription& scene, int width, int height);
 
-/// Of each shape, "glass sphere", "left wall", "lamp", "water": by material, shape, and place in the camera's view.
+/// Of each shape, "glass sphere", "left wall", "light", "water": by material, shape, and place in the camera's view.
 /// Where several have one name, "2nd glass sphere" counts from the left.
 std::vector<std::string> object_names(const SceneDescription& scene);
 

@@ -39,7 +39,7 @@ class StudentMistakes : public testing::Test {
     change(scene);
     return rendered(scene, 22);
   }
-  /// What lamps send straight to walls, by paths.
+  /// What lights send straight to walls, by paths.
   static Image direct(const SceneDescription& from) {
     SceneDescription scene = from;
     PathDescription path;
@@ -124,7 +124,7 @@ TEST_F(StudentMistakes, glass_without_fresnel_reflects_nothing) {
                "differs", "not explained");
 }
 
-TEST_F(StudentMistakes, a_lamp_that_is_drawn_from_in_one_quarter_is_told_from_hard_shadows) {
+TEST_F(StudentMistakes, a_light_that_is_drawn_from_in_one_quarter_is_told_from_hard_shadows) {
   expect_first(
       with_direct_of([](SceneDescription& scene) {
         for (ShapeDescription& shape : scene.shapes)

@@ -49,7 +49,7 @@ class FaultsOfRenderer : public FaultyProgramTest {
     expect_other(render(sound, "", scene, options), image, 0.001, fault);
   }
 
-  /// A wall whose light comes from a lamp by a mirror, so that the photon mapper sees nothing but caustic photons.
+  /// A wall whose light comes from a light by a mirror, so that the photon mapper sees nothing but caustic photons.
   std::string put_wall_by_mirror() const {
     return put_scene("mirror.xml",
                      R"(photonmapper"><integer name="max_depth" value="3"/><float name="global_radius" value="0.3"/>
@@ -65,7 +65,7 @@ class FaultsOfRenderer : public FaultyProgramTest {
 };
 
 // Cosine mu; light of a sphere around has density p = 1/4pi, the surface believes in mu/pi. The power heuristic gives
-// lamps the share w = 1/(1 + 16 mu^2), so that a wall of albedo r under a sky of 1 shows
+// lights the share w = 1/(1 + 16 mu^2), so that a wall of albedo r under a sky of 1 shows
 //   r integral from 0 to 1 of [2 mu w + (1 - w)] = r (ln(17)/16 + 1 - atan(4)/4).
 TEST_F(FaultsOfRenderer, uniform_diffuse_takes_light_evenly) {
   const std::string scene =
@@ -77,28 +77,28 @@ TEST_F(FaultsOfRenderer, uniform_diffuse_takes_light_evenly) {
               0.5 * (std::log(17.0) / 16 + 1 - std::atan(4.0) / 4), 0.004);
 }
 
-// The photon mapper's direct light stands alone: nine tenths of the lamp's width with a density of all of it is a lamp
-// of nine tenths whose radiance is ten ninths.
-TEST_F(FaultsOfRenderer, part_of_lamp_is_a_smaller_and_brighter_lamp) {
-  const auto put_lamp = [&](const std::string& name, const std::string& part, double radiance) {
+// The photon mapper's direct light stands alone: nine tenths of the light's width with a density of all of it is a
+// light of nine tenths whose radiance is ten ninths.
+TEST_F(FaultsOfRenderer, part_of_light_is_a_smaller_and_brighter_light) {
+  const auto put_light = [&](const std::string& name, const std::string& part, double radiance) {
     return put_scene(name, R"(photonmapper"><integer name="max_depth" value="2"/>)",
                      wall(grey(0.5)) + R"(<shape type="rectangle"><transform name="to_world">)" + part +
                          R"(<scale value="0.25"/><rotate y="1" angle="180"/><translate y="2.5" z="3"/></transform>)" +
                          grey(0) + R"(<emitter type="area"><rgb name="radiance" value=")" + std::to_string(radiance) +
                          R"("/></emitter></shape>)");
   };
-  const std::string lamp = put_lamp("lamp.xml", "", 9);
-  const std::string part = put_lamp("part.xml", R"(<scale x="0.9"/><translate x="-0.1"/>)", 10);
+  const std::string light = put_light("lamp.xml", "", 9);
+  const std::string part = put_light("part.xml", R"(<scale x="0.9"/><translate x="-0.1"/>)", 10);
   const std::vector<std::string> options{"--spp", "4", "--photons", "1000"};
-  const Image image = render(faulty, "part-of-lamp", lamp, options);
+  const Image image = render(faulty, "part-of-lamp", light, options);
   expect_near(image, render(sound, "", part, options), 1e-4, "part-of-lamp");
-  expect_other(render(sound, "", lamp, options), image, 0.001, "part-of-lamp");
+  expect_other(render(sound, "", light, options), image, 0.001, "part-of-lamp");
 }
 
 // A ball straight above a point fills a cone whose sine is 1/2. Sampled over the cone's solid angle it has a density of
 // p = 1/(2 pi (1 - cos)), and what is hit, of density mu/pi, should weigh w = 1/(1 + (p pi/mu)^2) of it. With both in
 // full, the point shows r integral over 2 mu of (1 - w) + 1.
-TEST_F(FaultsOfRenderer, unweighted_hits_count_lamps_twice) {
+TEST_F(FaultsOfRenderer, unweighted_hits_count_lights_twice) {
   const std::string scene = put_scene(
       "scene.xml", R"(path"><integer name="max_depth" value="2"/><boolean name="hide_emitters" value="false"/>)",
       wall(grey(0.5)) + R"(<shape type="sphere"><point name="center" value="0,0,12"/>

@@ -10,7 +10,7 @@
 namespace photonproof::inline harness_gates {
 namespace {
 
-// A square lamp that shines up alone, on a mirror over it. The floor below gets its light from the mirror only. Paths
+// A square light that shines up alone, on a mirror over it. The floor below gets its light from the mirror only. Paths
 // of three edges, so that no light comes by the floor to the mirror a second time.
 constexpr const char* light_by_mirror = R"xml(<scene version="3.0.0">
   <default name="integrator" value="path"/>
@@ -84,7 +84,7 @@ TEST_F(FaultyProgram, missing_caustic_changes_no_bit_where_nothing_mirrors) {
   EXPECT_TRUE(render(faulty, "missing-caustic", scene, options).rgb == render(faulty, "", scene, options).rgb);
 }
 
-// Photons share the lamp's flux among those that are traced, so fewer are noisier and no dimmer: the image is that of
+// Photons share the light's flux among those that are traced, so fewer are noisier and no dimmer: the image is that of
 // half the count, to the bit where the radii do not depend on the count and there is one pass.
 TEST_F(FaultyProgram, half_photons_gives_the_image_of_half_the_photons) {
   const std::string scene =

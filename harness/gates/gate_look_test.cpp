@@ -132,13 +132,13 @@ TEST(gate_look, a_gate_on_a_metric_holds_alpha_over_all_its_looks) {
   EXPECT_LE(passed, most_alarms(runs, alpha / 2));
 }
 
-// A lamp smaller than a pixel: of 64 samples 0.6 meet it, so that one pixel in 120 is black of it in all of eight
+// A light smaller than a pixel: of 64 samples 0.6 meet it, so that one pixel in 120 is black of it in all of eight
 // images, and then looks dark and certain. What the reference's samples met says how uncertain it is, whoever made
 // them.
-TEST(gate_look, a_lamp_smaller_than_a_pixel_that_no_image_met_alarms_no_more_often_than_alpha) {
+TEST(gate_look, a_light_smaller_than_a_pixel_that_no_image_met_alarms_no_more_often_than_alpha) {
   constexpr int runs = 2000;
   constexpr double alpha = 0.001, met = 0.6, light = 0.2, noise = 0.01, batches = 256;
-  const auto has_lamp = [](int x, int y) { return x == 9 && y == 4; };
+  const auto has_light = [](int x, int y) { return x == 9 && y == 4; };
   StoredReference stored = reference();
   stored.provenance.samples = static_cast<std::uint64_t>(batches) * 64;
   for (int c = 0; c < 3; ++c)
@@ -155,10 +155,10 @@ TEST(gate_look, a_lamp_smaller_than_a_pixel_that_no_image_met_alarms_no_more_oft
       Image image(width, height);
       for (int y = 0; y < height; ++y)
         for (int x = 0; x < width; ++x) {
-          const double lamp = has_lamp(x, y) ? light * (std::poisson_distribution<int>(met)(random) - met) : 0;
+          const double area_light = has_light(x, y) ? light * (std::poisson_distribution<int>(met)(random) - met) : 0;
           for (int c = 0; c < 3; ++c)
-            image.pixel(x, y)[c] =
-                static_cast<float>(expected(x, y, c) * (1 + lamp + noise * std::normal_distribution<double>()(random)));
+            image.pixel(x, y)[c] = static_cast<float>(
+                expected(x, y, c) * (1 + area_light + noise * std::normal_distribution<double>()(random)));
         }
       images.push_back(std::move(image));
     }
@@ -324,7 +324,7 @@ TEST(gate_look, an_image_that_comes_twice_among_others_is_found) {
     EXPECT_EQ(judgement.verdict, GateVerdict::fail) << metric;
     EXPECT_EQ(judgement.sentence, "8 images are 7 different ones: the same seeds' noise counts more than once");
   }
-  // Two kinds of image that differ in one value are chance: one sample in a thousand saw a lamp.
+  // Two kinds of image that differ in one value are chance: one sample in a thousand saw a light.
   for (std::size_t i = 1; i < images.size(); ++i) images[i] = images[0];
   for (std::size_t i = 4; i < images.size(); ++i) images[i].rgb[7] += 0.01f;
   EXPECT_EQ(look_at(gate("relmse", 0.9, 0.001, 1), stored, {}, pointers(images)).verdict, GateVerdict::pass);

@@ -89,9 +89,9 @@ std::vector<GateVariant> all_variants() {
   renderer(with_kernels, "uniform-diffuse",
            "a diffuse surface scatters evenly over the hemisphere, with a cosine's density and weight");
   renderer(with_kernels, "part-of-lamp",
-           "points are drawn on nine tenths of a rectangular lamp, with the density of all of it");
+           "points are drawn on nine tenths of a rectangular light, with the density of all of it");
   renderer(with_kernels, "unweighted-hits",
-           "lamps that are hit count in full, though sampled lamps are weighted against that");
+           "lights that are hit count in full, though sampled lights are weighted against that");
   renderer(with_kernels, "unpaid-roulette", "what survives roulette does not carry the light of what does not");
   renderer({"photonmapper"}, "dim-caustic", "caustic photons carry 5 % too little");
   renderer({"photonmapper"}, "density-radius",

@@ -21,7 +21,7 @@ Names passes_of(const std::string& integrator) {
   return row == nullptr ? Names() : Names(row->parts.begin(), row->parts.end());
 }
 
-constexpr const char* shared_by_all = "camera, materials, lamps and textures";
+constexpr const char* shared_by_all = "camera, materials, lights and textures";
 
 struct Verdicts {
   bool failed = false, undecided = false;

@@ -11,7 +11,7 @@
 namespace photonproof::inline harness_gates {
 
 /// A sentence for each scene on which an engine fails and another one passes, or on which all of several fail:
-///   "cornell: path fails where photonmapper passes: look at weights of lamps that bounces meet, or diffuse bounces"
+///   "cornell: path fails where photonmapper passes: look at weights of lights that bounces meet, or diffuse bounces"
 /// An engine fails on a scene when images of it do, and passes when all its gates there do. Gates without images to
 /// judge (GateRecord::status) count as neither. Scenes in the order of the gates.
 std::vector<std::string> gates_together(const std::vector<GateRecord>& gates, const SuiteCommon& suite);

@@ -39,10 +39,10 @@ TEST_F(GatesTogether, what_the_failing_engine_has_and_the_passing_one_has_not_is
   add("pool", "path", fail);
   add("pool", "bdpt", pass);
   EXPECT_EQ(said(),
-            (Sentences{"cornell: path fails where photonmapper passes: look at weights of lamps that bounces meet or "
+            (Sentences{"cornell: path fails where photonmapper passes: look at weights of lights that bounces meet or "
                        "diffuse bounces",
                        "furnace: photonmapper fails where path passes: look at photon paths or densities of photons",
-                       "pool: path fails where bdpt passes: look at direct light, weights of lamps that bounces meet, "
+                       "pool: path fails where bdpt passes: look at direct light, weights of lights that bounces meet, "
                        "diffuse bounces or mirrors and glass"}));
 }
 
@@ -52,7 +52,7 @@ TEST_F(GatesTogether, where_all_fail_it_is_what_they_share) {
   add("cornell", "photonmapper", pass);  // one of its gates is not enough
   EXPECT_EQ(said(),
             (Sentences{"cornell: path and photonmapper fail, and no engine passes: look at what they share: the "
-                       "scene or its reference, camera, materials, lamps and textures, direct light or mirrors "
+                       "scene or its reference, camera, materials, lights and textures, direct light or mirrors "
                        "and glass"}));
 }
 

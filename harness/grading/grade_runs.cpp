@@ -54,7 +54,7 @@ std::uint64_t GradeRuns::seed_of(const std::string& purpose, std::size_t number)
   return 1 + splitmix64(start, number) % most;
 }
 
-std::string GradeRuns::key_of(const PreparedSubmission& submission, const DoorRequest& request) const {
+std::string GradeRuns::key_of(const PreparedSubmission& submission, const SubmissionRunRequest& request) const {
   return content_key({{"version", runs_version},
                       {"program", submission.checksum},
                       {"before", length_prefixed(request.command_before)},
@@ -64,12 +64,12 @@ std::string GradeRuns::key_of(const PreparedSubmission& submission, const DoorRe
                       {"size", size_text(request.width, request.height)},
                       {"image", image_text(assignment_.image)},
                       {"limits", limits_text(assignment_.limits)},
-                      {"containment", door_.containment()}});
+                      {"containment", runner_.containment()}});
 }
 
 std::optional<GradeCells::Cell> GradeRuns::run_once(const PreparedSubmission& submission, const WorkScene& scene,
-                                                    const DoorRequest& request, std::uint64_t seed) const {
-  DoorAnswer answer = door_.run(submission, request);
+                                                    const SubmissionRunRequest& request, std::uint64_t seed) const {
+  SubmissionRunOutcome answer = runner_.run(submission, request);
   if (answer.end == "interrupted" || is_interrupted()) return std::nullopt;
   GradeCells::Cell cell;
   cell.run.seed = seed;
@@ -94,24 +94,25 @@ std::optional<GradeCells::Cell> GradeRuns::run_in_used_place(const PreparedSubmi
                                                              const WorkScene& scene, std::size_t number, bool littered,
                                                              bool reuse) {
   const std::uint64_t seed = seed_of("correctness", number);
-  DoorRequest request = request_of(assignment_, scene, seed, options_.threads);
+  SubmissionRunRequest request = request_of(assignment_, scene, seed, options_.threads);
   request.command_before = request_of(assignment_, scene, seed_of("correctness", number - 1), options_.threads).command;
   request.leaves_image_before = littered;
   return run_kept(submission, scene, request, seed, reuse);
 }
 
 std::optional<GradeCells::Cell> GradeRuns::run_kept(const PreparedSubmission& submission, const WorkScene& scene,
-                                                    const DoorRequest& request, std::uint64_t seed, bool reuse) {
+                                                    const SubmissionRunRequest& request, std::uint64_t seed,
+                                                    bool reuse) {
   const std::string key = key_of(submission, request);
   if (reuse)
     if (std::optional<GradeCells::Cell> found = cells_.find(key)) return found;
   std::optional<GradeCells::Cell> cell;
   {
-    const std::shared_lock in_company(company_);
+    const std::shared_lock beside_others(concurrent_runs_);
     if (!is_interrupted()) cell = run_once(submission, scene, request, seed);
   }
   if (cell && cell->run.end == "timeout") {
-    const std::unique_lock alone(company_);
+    const std::unique_lock alone(concurrent_runs_);
     cell = run_beside_others(submission, scene, request, seed);
   }
   if (cell) cells_.keep(key, *cell);
@@ -119,7 +120,7 @@ std::optional<GradeCells::Cell> GradeRuns::run_kept(const PreparedSubmission& su
 }
 
 std::optional<GradeCells::Cell> GradeRuns::run_beside_others(const PreparedSubmission& submission,
-                                                             const WorkScene& scene, DoorRequest request,
+                                                             const WorkScene& scene, SubmissionRunRequest request,
                                                              std::uint64_t seed) const {
   const OthersBusy busy;
   std::optional<GradeCells::Cell> cell = run_once(submission, scene, request, seed);

@@ -10,7 +10,7 @@
 #include <string>
 
 #include "harness/grading/grade_cells.h"
-#include "harness/grading/submission_door.h"
+#include "harness/grading/submission_runner.h"
 #include "harness/grading/work_scenes.h"
 
 namespace photonproof::inline harness_grading {
@@ -23,9 +23,9 @@ struct GradeRunsOptions {
 
 class GradeRuns {
  public:
-  GradeRuns(const Assignment& assignment, const SubmissionDoor& door, GradeCells& cells,
+  GradeRuns(const Assignment& assignment, const SubmissionRunner& runner, GradeCells& cells,
             const GradeRunsOptions& options)
-      : assignment_(assignment), door_(door), cells_(cells), options_(options) {}
+      : assignment_(assignment), runner_(runner), cells_(cells), options_(options) {}
 
   /// Run number `number` of a purpose ("correctness", "reference"), which decides its seed: from a cell where `reuse`
   /// says so, else anew. Several may run side by side; one that meets its limit on time in company is repeated alone
@@ -50,19 +50,19 @@ class GradeRuns {
 
  private:
   std::optional<GradeCells::Cell> run_kept(const PreparedSubmission& submission, const WorkScene& scene,
-                                           const DoorRequest& request, std::uint64_t seed, bool reuse);
+                                           const SubmissionRunRequest& request, std::uint64_t seed, bool reuse);
   std::optional<GradeCells::Cell> run_once(const PreparedSubmission& submission, const WorkScene& scene,
-                                           const DoorRequest& request, std::uint64_t seed) const;
+                                           const SubmissionRunRequest& request, std::uint64_t seed) const;
   /// Alone among our own.
   std::optional<GradeCells::Cell> run_beside_others(const PreparedSubmission& submission, const WorkScene& scene,
-                                                    DoorRequest request, std::uint64_t seed) const;
-  std::string key_of(const PreparedSubmission& submission, const DoorRequest& request) const;
+                                                    SubmissionRunRequest request, std::uint64_t seed) const;
+  std::string key_of(const PreparedSubmission& submission, const SubmissionRunRequest& request) const;
 
   const Assignment& assignment_;
-  const SubmissionDoor& door_;
+  const SubmissionRunner& runner_;
   GradeCells& cells_;
   GradeRunsOptions options_;
-  std::shared_mutex company_;
+  std::shared_mutex concurrent_runs_;
 };
 
 }  // namespace photonproof::inline harness_grading

@@ -57,14 +57,14 @@ class Session {
         options_(options),
         lock_(options.folder),
         threads_(options.threads > 0 ? options.threads : std::max(1, describe_host().cores)),
-        door_(assignment, {options.contained, threads_, options.program, options.interrupt}),
+        runner_(assignment, {options.contained, threads_, options.program, options.interrupt}),
         cells_(options.folder),
-        runs_(assignment, door_, cells_, {options.seed, threads_, options.interrupt}) {}
+        runs_(assignment, runner_, cells_, {options.seed, threads_, options.interrupt}) {}
 
   Grades grade() {
     start_record();
     name_submissions();
-    scenes_ = make_work_scenes(assignment_, door_, own_engine(), options_.folder / "scenes", options_.progress);
+    scenes_ = make_work_scenes(assignment_, runner_, own_engine(), options_.folder / "scenes", options_.progress);
     for (WorkScene& scene : scenes_)
       if (!options_.scene.empty() && scene.row.name != options_.scene) scene.unused = "--scene leaves it out";
     if (prepare_all() && make_references() && grade_all()) {
@@ -94,7 +94,7 @@ class Session {
     grades_.versions = options_.versions;
     grades_.seed = options_.seed;
     grades_.contained = options_.contained;
-    grades_.containment = door_.containment();
+    grades_.containment = runner_.containment();
     grades_.correctness_points = assignment_.correctness_points;
     if (assignment_.performance) {
       grades_.speed_points = assignment_.performance->points();
@@ -128,7 +128,7 @@ class Session {
   // What was handed in twice, or is the baseline, is built once.
   PreparedSubmission prepare(const std::string& name, const fs::path& source, const std::string& folder) {
     options_.progress("building " + name);
-    PreparedSubmission taken = door_.take(name, source, options_.folder / folder / "program");
+    PreparedSubmission taken = runner_.take(name, source, options_.folder / folder / "program");
     if (taken.checksum.empty()) return taken;
     if (const PreparedSubmission* same = built_same_as(taken)) {
       PreparedSubmission copy = *same;
@@ -136,7 +136,7 @@ class Session {
       copy.source = source;
       return copy;
     }
-    door_.build(taken, options_.resume);
+    runner_.build(taken, options_.resume);
     return taken;
   }
 
@@ -285,7 +285,7 @@ class Session {
   }
 
   void flag_parameters(const FlagContext& context) {
-    const ParameterProbe probe(context, door_, runs_, baseline_, options_.resume);
+    const ParameterProbe probe(context, runner_, runs_, baseline_, options_.resume);
     side_by_side(works_.size(), threads_, [&](std::size_t i) {
       if (!is_interrupted() && first_of(works_[i]) == &works_[i]) probe.flag(prepared_[i], works_[i]);
     });
@@ -336,7 +336,7 @@ class Session {
   const GradeOptions& options_;
   FolderLock lock_;
   int threads_;
-  SubmissionDoor door_;
+  SubmissionRunner runner_;
   GradeCells cells_;
   GradeRuns runs_;
   Grades grades_;

@@ -19,10 +19,10 @@ bool may_come_of_parameters(std::string_view kind) {
 
 }  // namespace
 
-ParameterProbe::ParameterProbe(const FlagContext& context, const SubmissionDoor& door, GradeRuns& runs,
+ParameterProbe::ParameterProbe(const FlagContext& context, const SubmissionRunner& runner, GradeRuns& runs,
                                const PreparedSubmission& baseline, bool reuse)
     : context_(context),
-      door_(door),
+      runner_(runner),
       runs_(runs),
       reuse_(reuse),
       baseline_draws_the_same_(
@@ -33,7 +33,7 @@ ParameterProbe::ParameterProbe(const FlagContext& context, const SubmissionDoor&
 bool ParameterProbe::draws_the_same(const PreparedSubmission& prepared, const SubmissionWork& work) const {
   const std::optional<SceneWorkGrade>& usual = work.scenes[scene_];
   if (!usual || usual->images.empty()) return false;
-  const auto own = door_.built_as_handed_in(prepared);
+  const auto own = runner_.built_as_handed_in(prepared);
   if (!own) return false;
   const auto cell = runs_.run(*own, context_.scenes[scene_], "correctness", 0, reuse_);
   return cell && cell->image && cell->image->rgb == usual->images.front().rgb;

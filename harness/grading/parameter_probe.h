@@ -11,7 +11,7 @@ namespace photonproof::inline harness_grading {
 class ParameterProbe {
  public:
   /// `reuse`: runs that an interrupted grading left.
-  ParameterProbe(const FlagContext& context, const SubmissionDoor& door, GradeRuns& runs,
+  ParameterProbe(const FlagContext& context, const SubmissionRunner& runner, GradeRuns& runs,
                  const PreparedSubmission& baseline, bool reuse);
 
   /// Adds the flag "parameters-ignored" where a submission is wrong on the first scene as too few photons or too low a
@@ -23,7 +23,7 @@ class ParameterProbe {
   bool draws_the_same(const PreparedSubmission& prepared, const SubmissionWork& work) const;
 
   const FlagContext& context_;
-  const SubmissionDoor& door_;
+  const SubmissionRunner& runner_;
   GradeRuns& runs_;
   bool reuse_;
   std::size_t scene_ = 0;  ///< the first one that is graded

@@ -60,7 +60,7 @@ void write_params(const Assignment& assignment, const fs::path& folder, WorkScen
 
 }  // namespace
 
-std::vector<WorkScene> make_work_scenes(const Assignment& assignment, const SubmissionDoor& door,
+std::vector<WorkScene> make_work_scenes(const Assignment& assignment, const SubmissionRunner& runner,
                                         const OwnEngine& engine, const fs::path& folder,
                                         const std::function<void(const std::string&)>& progress) {
   std::vector<WorkScene> scenes;
@@ -74,14 +74,14 @@ std::vector<WorkScene> make_work_scenes(const Assignment& assignment, const Subm
       make_description(work, engine);
     }
     write_params(assignment, folder, work);
-    if (!row.given.empty()) work.given = door.read_given(row.given, work.width, work.height);
+    if (!row.given.empty()) work.given = runner.read_given(row.given, work.width, work.height);
     scenes.push_back(std::move(work));
   }
   return scenes;
 }
 
-DoorRequest request_of(const Assignment& assignment, const WorkScene& scene, std::uint64_t seed, int threads) {
-  DoorRequest request;
+SubmissionRunRequest request_of(const Assignment& assignment, const WorkScene& scene, std::uint64_t seed, int threads) {
+  SubmissionRunRequest request;
   for (const std::string& word : assignment.run_command) {
     if (word == "{scene_option}")
       request.command.insert(request.command.end(), scene.row.option.begin(), scene.row.option.end());

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "harness/grading/assignment.h"
-#include "harness/grading/submission_door.h"
+#include "harness/grading/submission_runner.h"
 #include "harness/variants/variant.h"
 #include "scenes/description/description.h"
 #include "scenes/images/image.h"
@@ -30,11 +30,11 @@ struct WorkScene {
 
 /// What programs are given of scenes is made in `folder`. Throws InputError for a scene that cannot be made: of this
 /// kind, or not in the course's format.
-std::vector<WorkScene> make_work_scenes(const Assignment& assignment, const SubmissionDoor& door,
+std::vector<WorkScene> make_work_scenes(const Assignment& assignment, const SubmissionRunner& runner,
                                         const OwnEngine& engine, const std::filesystem::path& folder,
                                         const std::function<void(const std::string&)>& progress);
 
 /// What a run on the scene is asked for; {output}, {params} and {scene} are left open.
-DoorRequest request_of(const Assignment& assignment, const WorkScene& scene, std::uint64_t seed, int threads);
+SubmissionRunRequest request_of(const Assignment& assignment, const WorkScene& scene, std::uint64_t seed, int threads);
 
 }  // namespace photonproof::inline harness_grading

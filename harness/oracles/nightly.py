@@ -40,7 +40,7 @@ CONSTANTS = [
     (["mapped_normals.py"], ["renderer/scene/mapped_normals_test.cpp"]),
     (["tilted_floor.py"], ["renderer/integrators/tilted_floor_test.cpp"]),
     (["sun_position_oracle.py"], ["scenes/description/sun_position_test.cpp"]),
-    (["sky_oracle.py", "expected"], ["renderer/light_choice/sky_test.cpp", "scenes/description/sun_position_test.cpp"]),
+    (["sky_oracle.py", "expected"], ["renderer/light_sampling/sky_test.cpp", "scenes/description/sun_position_test.cpp"]),
 ]
 # FLIP's own program computes in single precision.
 FLIP_TOLERANCE = 2e-5

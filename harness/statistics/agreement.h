@@ -60,7 +60,8 @@ struct Agreement {
 ///   degrees of freedom that the spread of the variances over the block shows, 2 (sum v)^2 / sum (v - mean v)^2 at
 ///   least, and turned into the normal deviate of the same probability.
 /// - Rounding of float sums counts as a deviation of 1e-5 of the value, so that pixels without noise compare as equal.
-/// - In the mean over the whole image the less certain places count less, for in many an image a few pixels at a lamp's
+/// - In the mean over the whole image the less certain places count less, for in many an image a few pixels at a
+/// light's
 ///   edge have nearly all of the noise, and none counts more than four times as much as the median one. A pixel's
 ///   weight is taken from neighbours whose noise it does not share: weighed by their own variances, samples that are
 ///   high by chance would count too little.

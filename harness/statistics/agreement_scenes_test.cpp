@@ -90,7 +90,7 @@ Case noisy(const char* scene, std::vector<Estimator> estimators) {
 std::vector<Estimator> media(int volpath, int bdpt) { return {{"volpath", volpath}, {"bdpt", bdpt}}; }
 
 // Light paths alone show no scene where the camera sees mirrors, glass, clear coats or holes, through which none can be
-// connected, and need too many samples where lamps cover slivers of pixels (many-lights), the view is a speck of the
+// connected, and need too many samples where lights cover slivers of pixels (many-lights), the view is a speck of the
 // scene (parallel-planes) or light comes round corners (corridor). Light from a direction or a point that comes
 // through glass is found by them alone (ball-lens, water-caustic).
 //

@@ -344,14 +344,14 @@ TEST(agreement, compares_blocks_without_what_all_pixels_are_high_by_together) {
   EXPECT_GE(found, 193);
 }
 
-TEST(agreement, looks_beside_a_lamp_without_noise) {
+TEST(agreement, looks_beside_a_light_without_noise) {
   // One of 36 places is exact and 2000 times as bright as the others. It counts as four of the others' 35, so that
-  // their error by s is one of 0.897 s of the mean. Weighed by certainty alone or in the plain mean the lamp would be
+  // their error by s is one of 0.897 s of the mean. Weighed by certainty alone or in the plain mean the light would be
   // all. A power of 0.99 at s = 1.15 would_see, 193 of 200 with probability 0.995.
-  const auto lamp = [](int x, int y) { return x < 8 && y < 8; };
+  const auto light = [](int x, int y) { return x < 8 && y < 8; };
   const auto image = [&](double factor, std::uint64_t seed) {
     Rendering with = render(
-        48, 16, [&](int x, int y) { return lamp(x, y) ? 0.0 : factor; }, gaussian, seed);
+        48, 16, [&](int x, int y) { return light(x, y) ? 0.0 : factor; }, gaussian, seed);
     for (int y = 0; y < 8; ++y)
       for (int x = 0; x < 8; ++x) std::fill_n(with.mean.pixel(x, y), 3, 2000.0f);
     return with;
@@ -365,7 +365,7 @@ TEST(agreement, looks_beside_a_lamp_without_noise) {
     said += size / pairs;
     found += test_agreement(reference, image(1 + 1.15 * size, 2 * pair + 2)).whole.pass ? 0 : 1;
   }
-  std::printf("+-%.2g %% of the mean found beside a lamp in %d of %d\n", 100 * said, found, pairs);
+  std::printf("+-%.2g %% of the mean found beside a light in %d of %d\n", 100 * said, found, pairs);
   EXPECT_GE(found, 193);
 }
 

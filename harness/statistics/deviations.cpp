@@ -146,7 +146,7 @@ class ChannelDeviations {
     auto& pixels = out_.pixels[c_];
     pixels.resize(channel_.mean.size());
     for (std::size_t b = 0; b < sums_.size(); ++b) {
-      // A lamp's pixels beside others must not make those look certain.
+      // A light's pixels beside others must not make those look certain.
       const double mean = sums_[b].noisy_pixels > 0 ? sums_[b].variance / sums_[b].noisy_pixels : 0;
       const double reference_mean = sums_[b].reference_variance / sums_[b].pixels;
       std::vector<double> ratios;

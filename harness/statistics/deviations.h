@@ -48,7 +48,7 @@ struct Deviations {
 struct KnownNoise {
   double reference_freedom = 1;  ///< degrees of freedom of the reference's variance
   /// Of each pixel of one image: no less than this counts. It helps where images are too few to have met rare bright
-  /// samples that the reference has met: a lamp smaller than a pixel, met by half of the images, is met by none of
+  /// samples that the reference has met: a light smaller than a pixel, met by half of the images, is met by none of
   /// eight in one gate of 256.
   const Image* least_variance = nullptr;
   /// A pixel of one image. Stratified samples fall on the two sides of an edge in the same numbers in nearly every

@@ -93,7 +93,7 @@ std::string block_text(const Deviations& d, std::size_t b, std::size_t channel) 
   return fmt::format("{} at ({}, {})", relative_text(block.difference, block.expected), d.places[b].x0, d.places[b].y0);
 }
 
-/// How the deviation of a whole image is spread over it, which tells a lamp's power from a material or a background.
+/// How the deviation of a whole image is spread over it, which tells a light's power from a material or a background.
 std::string spread_text(const Deviations& d, double alpha) {
   const std::size_t c = worst_channel(d);
   const Deviation& whole = d.whole[c];

@@ -46,22 +46,22 @@ std::vector<KnownMetric> metrics_said_of(const StressRunner& runner, const std::
   return known;
 }
 
-RungVerdict compare_files(const StressRunner& runner, const std::filesystem::path& reference,
-                          const std::filesystem::path& test, const std::vector<KnownMetric>& known,
-                          const std::vector<std::string>& arguments) {
+LevelVerdict compare_files(const StressRunner& runner, const std::filesystem::path& reference,
+                           const std::filesystem::path& test, const std::vector<KnownMetric>& known,
+                           const std::vector<std::string>& arguments) {
   std::vector<std::string> all{"compare", reference.string(), test.string(), "--json", "--metrics", names_of(known)};
   all.insert(all.end(), arguments.begin(), arguments.end());
   const ProcessOutcome outcome = runner.run(all);
-  if (outcome.end != ProcessOutcome::End::exited) return {RungOutcome::crashed, outcome.sentence(), {}};
+  if (outcome.end != ProcessOutcome::End::exited) return {LevelOutcome::crashed, outcome.sentence(), {}};
   const auto json = nlohmann::ordered_json::parse(outcome.standard_output, nullptr, false);
   if (outcome.exit_code != 0) {
     std::string why = last_line(outcome.standard_error);
     if (!json.is_discarded() && json.contains("findings") && !json["findings"].empty())
       why = json["findings"][0].dump();
-    return {why.empty() ? RungOutcome::crashed : RungOutcome::refused, why.empty() ? outcome.sentence() : why, {}};
+    return {why.empty() ? LevelOutcome::crashed : LevelOutcome::refused, why.empty() ? outcome.sentence() : why, {}};
   }
   if (json.is_discarded() || !json.contains("metrics"))
-    return {RungOutcome::crashed, "what compare says is no JSON", {}};
+    return {LevelOutcome::crashed, "what compare says is no JSON", {}};
   std::string wrong;
   std::size_t found = 0;
   for (const KnownMetric& metric : known)
@@ -71,7 +71,7 @@ RungVerdict compare_files(const StressRunner& runner, const std::filesystem::pat
       if (const std::string text = difference(metric, said); !text.empty() && wrong.empty()) wrong = text;
     }
   if (found < known.size()) wrong = "a metric is missing";
-  return {wrong.empty() ? RungOutcome::right : RungOutcome::silently_wrong, wrong, {}};
+  return {wrong.empty() ? LevelOutcome::right : LevelOutcome::silently_wrong, wrong, {}};
 }
 
 }  // namespace photonproof::inline harness_stress

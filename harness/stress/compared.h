@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "harness/stress/rung_judge.h"
-#include "harness/stress/rung_run.h"
+#include "harness/stress/level_judge.h"
+#include "harness/stress/level_run.h"
 
 namespace photonproof::inline harness_stress {
 
@@ -23,8 +23,8 @@ std::vector<KnownMetric> metrics_said_of(const StressRunner& runner, const std::
                                          const std::filesystem::path& test, const std::vector<std::string>& names);
 
 /// Refused where the program ends with an error that it explains.
-RungVerdict compare_files(const StressRunner& runner, const std::filesystem::path& reference,
-                          const std::filesystem::path& test, const std::vector<KnownMetric>& known,
-                          const std::vector<std::string>& arguments = {});
+LevelVerdict compare_files(const StressRunner& runner, const std::filesystem::path& reference,
+                           const std::filesystem::path& test, const std::vector<KnownMetric>& known,
+                           const std::vector<std::string>& arguments = {});
 
 }  // namespace photonproof::inline harness_stress

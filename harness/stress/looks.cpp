@@ -12,12 +12,12 @@ constexpr int most_times = 8, next_times = 4, expected_times = 4;
 constexpr double reach = 2;  // of the square of the noise
 
 /// What hides an error is `of_look` and `of_expected` together, squares of relative errors; `quiet` may be left.
-std::optional<RungLook> look_at_noise(double of_look, double of_expected, double quiet, const RungLook& last,
-                                      double most_samples) {
+std::optional<LevelLook> look_at_noise(double of_look, double of_expected, double quiet, const LevelLook& last,
+                                       double most_samples) {
   const auto may_have = [&](int times) {
     return times * last.samples <= most_samples || (last.number < looks_at_noise && times <= next_times);
   };
-  RungLook next{last.number + 1, last.samples, last.expected_from};
+  LevelLook next{last.number + 1, last.samples, last.expected_from};
   const double least = (of_look * last.samples + of_expected * last.expected_from) / most_samples;
   if (least > reach * quiet) {
     if (last.number >= looks_at_noise) return {};
@@ -39,18 +39,18 @@ std::optional<RungLook> look_at_noise(double of_look, double of_expected, double
 
 }  // namespace
 
-std::optional<RungLook> next_look(const RungVerdict& verdict, const RungLook& last, double most_samples) {
-  if (verdict.outcome != RungOutcome::silently_wrong && verdict.outcome != RungOutcome::degraded &&
-      verdict.outcome != RungOutcome::undecided)
+std::optional<LevelLook> next_look(const LevelVerdict& verdict, const LevelLook& last, double most_samples) {
+  if (verdict.outcome != LevelOutcome::silently_wrong && verdict.outcome != LevelOutcome::degraded &&
+      verdict.outcome != LevelOutcome::undecided)
     return {};
   if (verdict.is_wrong || !verdict.would_see) {
     if (last.number > 1) return {};
     const int times = next_times * last.samples <= most_samples ? next_times : 1;
-    return RungLook{last.number + 1, times * last.samples, last.expected_from};
+    return LevelLook{last.number + 1, times * last.samples, last.expected_from};
   }
   const auto squared = [&](double error) { return std::pow(std::max(error - verdict.allowed, 0.0), 2); };
   const double noise = squared(*verdict.would_see), of_expected = verdict.share_of_expected * noise;
-  return look_at_noise(noise - of_expected, of_expected, squared(rung_power), last, most_samples);
+  return look_at_noise(noise - of_expected, of_expected, squared(level_power), last, most_samples);
 }
 
 }  // namespace photonproof::inline harness_stress

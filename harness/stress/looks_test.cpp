@@ -5,11 +5,11 @@
 namespace photonproof::inline harness_stress {
 namespace {
 
-using enum RungOutcome;
+using enum LevelOutcome;
 
 /// Of what is right as far as it can be seen.
-RungVerdict verdict(RungOutcome outcome, double would_see, double allowed = 0, double share_of_expected = 0) {
-  RungVerdict verdict;
+LevelVerdict verdict(LevelOutcome outcome, double would_see, double allowed = 0, double share_of_expected = 0) {
+  LevelVerdict verdict;
   verdict.outcome = outcome;
   verdict.would_see = would_see;
   verdict.allowed = allowed;
@@ -20,21 +20,21 @@ RungVerdict verdict(RungOutcome outcome, double would_see, double allowed = 0, d
 constexpr double most = 16384;
 
 /// The next look; of 0 samples where there is none.
-RungLook after(const RungVerdict& verdict, const RungLook& last) {
-  const RungLook look = next_look(verdict, last, most).value_or(RungLook{0, 0, 0});
+LevelLook after(const LevelVerdict& verdict, const LevelLook& last) {
+  const LevelLook look = next_look(verdict, last, most).value_or(LevelLook{0, 0, 0});
   EXPECT_TRUE(look.samples == 0 || look.number == last.number + 1);
   return look;
 }
-int samples_after(const RungVerdict& verdict, const RungLook& last) { return after(verdict, last).samples; }
+int samples_after(const LevelVerdict& verdict, const LevelLook& last) { return after(verdict, last).samples; }
 
-TEST(looks, end_where_it_is_known_what_a_rung_is) {
-  for (const RungOutcome outcome : {right, refused, crashed}) EXPECT_EQ(samples_after(verdict(outcome, 0.01), {}), 0);
+TEST(looks, end_where_it_is_known_what_a_level_is) {
+  for (const LevelOutcome outcome : {right, refused, crashed}) EXPECT_EQ(samples_after(verdict(outcome, 0.01), {}), 0);
 }
 
 TEST(looks, at_what_seems_wrong_are_two) {
-  for (const RungOutcome outcome : {silently_wrong, degraded})
+  for (const LevelOutcome outcome : {silently_wrong, degraded})
     for (const double would_see : {0.01, 0.5}) {
-      RungVerdict wrong = verdict(outcome, would_see);
+      LevelVerdict wrong = verdict(outcome, would_see);
       wrong.is_wrong = true;
       EXPECT_EQ(samples_after(wrong, {1, 64}), 256);
       EXPECT_EQ(samples_after(wrong, {2, 256}), 0);
@@ -43,14 +43,14 @@ TEST(looks, at_what_seems_wrong_are_two) {
 }
 
 TEST(looks, of_which_noise_is_not_known_are_two) {
-  RungVerdict unknown;
+  LevelVerdict unknown;
   unknown.outcome = undecided;
   EXPECT_EQ(samples_after(unknown, {1, 64}), 256);
   EXPECT_EQ(samples_after(unknown, {2, 256}), 0);
 }
 
 TEST(looks, have_the_samples_that_noise_needs) {
-  for (const RungOutcome outcome : {degraded, undecided}) {
+  for (const LevelOutcome outcome : {degraded, undecided}) {
     // Twice as many as 64 where noise is to fall by the root of two, from 0.14 to 0.1; eight times at most.
     EXPECT_EQ(samples_after(verdict(outcome, 0.14), {1, 64}), 128);
     EXPECT_EQ(samples_after(verdict(outcome, 0.15), {1, 64}), 256);
@@ -70,7 +70,7 @@ TEST(looks, leave_out_the_noise_of_what_is_expected) {
   EXPECT_EQ(after(verdict(undecided, 0.12, 0, 0.4), {2, 256, 512}).expected_from, 2048);
   EXPECT_EQ(after(verdict(undecided, 0.6, 0, 0.9), {2, 256, 512}).expected_from, 2048);
   // All noise is the expected picture's.
-  const RungLook as_many = after(verdict(undecided, 0.12, 0, 1), {2, 256, 512});
+  const LevelLook as_many = after(verdict(undecided, 0.12, 0, 1), {2, 256, 512});
   EXPECT_EQ(as_many.samples, 256);
   EXPECT_EQ(as_many.expected_from, 2048);
   EXPECT_EQ(after(verdict(undecided, 0.12, 0, 0.9), {3, 1024, 2048}).expected_from, 8192);

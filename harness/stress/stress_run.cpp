@@ -11,9 +11,9 @@
 #include "harness/cells/folder_lock.h"
 #include "harness/cells/host.h"
 #include "harness/cells/side_by_side.h"
-#include "harness/stress/ladder.h"
+#include "harness/stress/level_run.h"
 #include "harness/stress/looks.h"
-#include "harness/stress/rung_run.h"
+#include "harness/stress/sweep.h"
 #include "reference/store/reference_store.h"
 #include "scenes/base/input_error.h"
 #include "scenes/base/text_numbers.h"
@@ -25,15 +25,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Changes when judging does, so that rungs are judged anew.
+/// Changes when judging does, so that levels are judged anew.
 constexpr const char* judging_version = "9";
-/// Camera samples of a look at most, and where a quick climb only tells at which rung what is not right at its end
+/// Camera samples of a look at most, and where a quick climb only tells at which level what is not right at its end
 /// begins.
 constexpr double samples_of_looks = 2e7, samples_of_short_looks = 1e6;
 
-/// One ladder and one engine.
-struct Climb {
-  const Ladder* ladder;
+/// One sweep and one engine.
+struct SweepRun {
+  const Sweep* sweep;
   std::string engine;
 };
 
@@ -49,147 +49,148 @@ Image shown(const Image& image, double factor) {
   return out;
 }
 
-class Climber {
+class SweepRunner {
  public:
-  Climber(const StressOptions& options, StressRunner& runner) : options_(options), runner_(runner) {}
+  SweepRunner(const StressOptions& options, StressRunner& runner) : options_(options), runner_(runner) {}
 
-  StressLadder climb(const Climb& climb) {
-    const Ladder& ladder = *climb.ladder;
-    StressLadder out;
-    out.feature = ladder.feature;
-    out.climb = ladder.climb;
-    out.measure = ladder.measure;
-    out.wanted = ladder.wanted;
-    out.engine = climb.engine;
+  StressSweep sweep_run(const SweepRun& sweep_run) {
+    const Sweep& sweep = *sweep_run.sweep;
+    StressSweep out;
+    out.feature = sweep.feature;
+    out.sweep_run = sweep.sweep_run;
+    out.measure = sweep.measure;
+    out.wanted = sweep.wanted;
+    out.engine = sweep_run.engine;
     try {
-      std::optional<StressRung> last;
-      if (options_.quick && !ladder.climbs_on) {
-        last = rung(climb, quick_height(ladder), samples_of_looks);
-        if (last->outcome == RungOutcome::right) {
-          out.rungs.push_back(*last);
+      std::optional<StressLevel> last;
+      if (options_.quick && !sweep.goes_on) {
+        last = level(sweep_run, quick_height(sweep), samples_of_looks);
+        if (last->outcome == LevelOutcome::right) {
+          out.levels.push_back(*last);
           return out;
         }
       }
-      for (const double height : ladder.heights) {  // where it breaks is further down
+      for (const double height : sweep.heights) {  // where it breaks is further down
         if (last && height > last->height) break;
         if (last && height == last->height)
-          out.rungs.push_back(*last);
+          out.levels.push_back(*last);
         else
-          out.rungs.push_back(rung(climb, height, options_.quick ? samples_of_short_looks : samples_of_looks));
-        const RungOutcome outcome = out.rungs.back().outcome;
-        if (is_failure(outcome) || (outcome == RungOutcome::refused && !ladder.climbs_on)) break;
+          out.levels.push_back(level(sweep_run, height, options_.quick ? samples_of_short_looks : samples_of_looks));
+        const LevelOutcome outcome = out.levels.back().outcome;
+        if (is_failure(outcome) || (outcome == LevelOutcome::refused && !sweep.goes_on)) break;
       }
     } catch (const InputError& error) {
-      if (runner_.other(climb.engine) == nullptr && !options_.is_other_program) throw;
-      out.not_climbed = error.summary();
-      out.rungs.clear();
+      if (runner_.other(sweep_run.engine) == nullptr && !options_.is_other_program) throw;
+      out.not_swept = error.summary();
+      out.levels.clear();
     }
     return out;
   }
 
  private:
-  static double quick_height(const Ladder& ladder) {
-    double height = ladder.heights.front();
-    for (const double h : ladder.heights)
-      if (h <= (std::isnan(ladder.quick) ? ladder.wanted : ladder.quick)) height = h;
+  static double quick_height(const Sweep& sweep) {
+    double height = sweep.heights.front();
+    for (const double h : sweep.heights)
+      if (h <= (std::isnan(sweep.quick) ? sweep.wanted : sweep.quick)) height = h;
     return height;
   }
 
   /// From so many samples a pixel.
-  RungExpectation expectation(const Climb& climb, double height, int samples) {
-    const Ladder& ladder = *climb.ladder;
-    RungExpectation expected;
-    expected.factor = ladder.factor(height);
-    expected.radiance = ladder.radiance;
-    expected.is_exact = is_unbiased(climb.engine) && runner_.other(climb.engine) == nullptr;
-    expected.must_refuse = ladder.must_refuse;
-    if (!ladder.alike) return expected;
-    const std::string engine = ladder.compared_with.empty() ? climb.engine : ladder.compared_with;
+  LevelExpectation expectation(const SweepRun& sweep_run, double height, int samples) {
+    const Sweep& sweep = *sweep_run.sweep;
+    LevelExpectation expected;
+    expected.factor = sweep.factor(height);
+    expected.radiance = sweep.radiance;
+    expected.is_exact = is_unbiased(sweep_run.engine) && runner_.other(sweep_run.engine) == nullptr;
+    expected.must_refuse = sweep.must_refuse;
+    if (!sweep.alike) return expected;
+    const std::string engine = sweep.compared_with.empty() ? sweep_run.engine : sweep.compared_with;
     expected.samples = samples;
-    expected.picture = runner_.reference(ladder.alike(height), {engine, samples, 1});
+    expected.picture = runner_.reference(sweep.alike(height), {engine, samples, 1});
     return expected;
   }
 
-  StressScene scene(const Climb& climb, double height) const {
-    StressScene scene = climb.ladder->rung(height);
-    if (runner_.other(climb.engine) != nullptr && !(scene.arguments.empty() && scene.unlike_path.empty()))
-      throw InputError(climb.engine, "takes none of our programs' arguments");
+  StressScene scene(const SweepRun& sweep_run, double height) const {
+    StressScene scene = sweep_run.sweep->level(height);
+    if (runner_.other(sweep_run.engine) != nullptr && !(scene.arguments.empty() && scene.unlike_path.empty()))
+      throw InputError(sweep_run.engine, "takes none of our programs' arguments");
     scene.arguments.insert(scene.arguments.end(), scene.unlike_path.begin(), scene.unlike_path.end());
     return scene;
   }
 
-  StressRung measured_rung(const Ladder& ladder, double height) {
+  StressLevel measured_level(const Sweep& sweep, double height) {
     const std::string key = content_key({{"judging", judging_version},
                                          {"program", runner_.checksum()},
-                                         {"ladder", ladder.name()},
+                                         {"ladder", sweep.name()},
                                          {"height", format_number(height)}});
     const fs::path kept = options_.folder / "rungs" / (key + ".json");
     if (fs::exists(kept))
-      if (const auto known = rung_from_text(read_file(kept))) return *known;
+      if (const auto known = level_from_text(read_file(kept))) return *known;
     const Timer timer;
-    const RungVerdict verdict = ladder.measured(height, runner_);
-    StressRung out;
+    const LevelVerdict verdict = sweep.measured(height, runner_);
+    StressLevel out;
     out.height = height;
     out.outcome = verdict.outcome;
     out.sentence = verdict.sentence;
     out.would_see = verdict.would_see;
     out.seconds = timer.seconds();
-    write_file_atomically(kept, rung_text(out));
+    write_file_atomically(kept, level_text(out));
     return out;
   }
 
-  StressRung rung(const Climb& climb, double height, double most_samples) {
-    if (climb.ladder->measured) return measured_rung(*climb.ladder, height);
-    const StressScene asked = scene(climb, height);
-    const std::string alike =
-        climb.ladder->alike ? runner_.identity(climb.ladder->alike(height), {climb.engine, RungLook().samples, 1}) : "";
+  StressLevel level(const SweepRun& sweep_run, double height, double most_samples) {
+    if (sweep_run.sweep->measured) return measured_level(*sweep_run.sweep, height);
+    const StressScene asked = scene(sweep_run, height);
+    const std::string alike = sweep_run.sweep->alike ? runner_.identity(sweep_run.sweep->alike(height),
+                                                                        {sweep_run.engine, LevelLook().samples, 1})
+                                                     : "";
     const std::string key = content_key({{"judging", judging_version},
-                                         {"rung", runner_.identity(asked, {climb.engine, RungLook().samples, 2})},
+                                         {"rung", runner_.identity(asked, {sweep_run.engine, LevelLook().samples, 2})},
                                          {"alike", alike},
                                          {"most_samples", format_number(most_samples)}});
     const fs::path kept = options_.folder / "rungs" / (key + ".json");
     if (fs::exists(kept))
-      if (auto known = rung_from_text(read_file(kept))) {
-        known->height = height;  // it may be another ladder's, whose rung is the same
+      if (auto known = level_from_text(read_file(kept))) {
+        known->height = height;  // it may be another sweep's, whose level is the same
         return *known;
       }
     const Timer timer;
-    StressRung out;
+    StressLevel out;
     try {
-      out = decided(climb, asked, height, most_samples, key);
+      out = decided(sweep_run, asked, height, most_samples, key);
     } catch (const ReferenceCrashed& crash) {
       out.height = height;
-      out.outcome = RungOutcome::crashed;
+      out.outcome = LevelOutcome::crashed;
       out.sentence = "what it is compared with " + crash.ending;
     }
     out.seconds = timer.seconds();
-    write_file_atomically(kept, rung_text(out));
+    write_file_atomically(kept, level_text(out));
     return out;
   }
 
-  StressRung decided(const Climb& climb, const StressScene& asked, double height, double most_samples,
-                     const std::string& key) {
-    StressRung out;
+  StressLevel decided(const SweepRun& sweep_run, const StressScene& asked, double height, double most_samples,
+                      const std::string& key) {
+    StressLevel out;
     out.height = height;
-    RungEvidence evidence;
-    RungExpectation expected;
+    LevelEvidence evidence;
+    LevelExpectation expected;
     const double pixels = static_cast<double>(asked.width) * asked.height;
-    for (std::optional<RungLook> look = RungLook(); look;) {
-      if (look->expected_from != expected.samples) expected = expectation(climb, height, look->expected_from);
-      evidence = runner_.render(asked, {climb.engine, look->samples, static_cast<std::uint64_t>(1 + look->number)});
-      const RungVerdict verdict = judge_rung(evidence, expected);
+    for (std::optional<LevelLook> look = LevelLook(); look;) {
+      if (look->expected_from != expected.samples) expected = expectation(sweep_run, height, look->expected_from);
+      evidence = runner_.render(asked, {sweep_run.engine, look->samples, static_cast<std::uint64_t>(1 + look->number)});
+      const LevelVerdict verdict = judge_level(evidence, expected);
       out.outcome = verdict.outcome;
       out.sentence = verdict.sentence;
       out.would_see = verdict.would_see;
       if (!evidence.picture) break;
       look = next_look(verdict, *look, most_samples / pixels);
     }
-    if (out.outcome != RungOutcome::right && evidence.picture) keep_pictures(*evidence.picture, expected, key, out);
+    if (out.outcome != LevelOutcome::right && evidence.picture) keep_pictures(*evidence.picture, expected, key, out);
     return out;
   }
 
-  void keep_pictures(const Rendering& picture, const RungExpectation& expected, const std::string& key,
-                     StressRung& out) {
+  void keep_pictures(const Rendering& picture, const LevelExpectation& expected, const std::string& key,
+                     StressLevel& out) {
     out.picture = "pictures/" + key + ".png";
     write_png((options_.folder / out.picture).string(), shown(picture.mean, expected.factor));
     if (!expected.picture && !expected.radiance) return;
@@ -206,51 +207,51 @@ class Climber {
   StressRunner& runner_;
 };
 
-std::vector<Climb> chosen(const StressOptions& options, const std::vector<Ladder>& ladders) {
-  std::vector<Climb> climbs;
-  for (const Ladder& ladder : ladders) {
-    const auto is_in_name = [&](const std::string& part) { return ladder.name().find(part) != std::string::npos; };
+std::vector<SweepRun> chosen(const StressOptions& options, const std::vector<Sweep>& sweeps) {
+  std::vector<SweepRun> sweep_runs;
+  for (const Sweep& sweep : sweeps) {
+    const auto is_in_name = [&](const std::string& part) { return sweep.name().find(part) != std::string::npos; };
     if (!options.only.empty() && std::none_of(options.only.begin(), options.only.end(), is_in_name)) continue;
-    const std::vector<std::string>& own = ladder.engines.empty() ? stress_engines() : ladder.engines;
-    const auto climbs_by_itself = [&](const std::string& engine) {
+    const std::vector<std::string>& own = sweep.engines.empty() ? stress_engines() : sweep.engines;
+    const auto sweeps_by_itself = [&](const std::string& engine) {
       return std::find(own.begin(), own.end(), engine) != own.end();
     };
     if (options.engines.empty())
       for (const std::string& engine : own)
-        if (!options.quick || engine == own.front() || engine == "photonmapper") climbs.push_back({&ladder, engine});
+        if (!options.quick || engine == own.front() || engine == "photonmapper") sweep_runs.push_back({&sweep, engine});
     for (const std::string& engine : options.engines) {
-      // One that no ladder names by itself climbs all that path does.
+      // One that no sweep names by itself climbs all that path does.
       const bool is_other = engine != "compare" && std::find(stress_engines().begin(), stress_engines().end(),
                                                              engine) == stress_engines().end();
-      if (climbs_by_itself(engine) || (is_other && climbs_by_itself("path"))) climbs.push_back({&ladder, engine});
+      if (sweeps_by_itself(engine) || (is_other && sweeps_by_itself("path"))) sweep_runs.push_back({&sweep, engine});
     }
   }
-  if (climbs.empty())
-    throw InputError("--only", "no ladder of that engine has '" + (options.only.empty() ? "" : options.only.front()) +
+  if (sweep_runs.empty())
+    throw InputError("--only", "no sweep of that engine has '" + (options.only.empty() ? "" : options.only.front()) +
                                    "' in its name");
-  return climbs;
+  return sweep_runs;
 }
 
 /// The order in which climbs are begun: neighbours, which are compared with the same picture, far apart, since of those
 /// that need it at the same time all but one would wait. Each is a golden section of all later than the one before, by
 /// which multiples of it are far apart, too.
-std::vector<std::size_t> order_of(const std::vector<Climb>& climbs) {
+std::vector<std::size_t> order_of(const std::vector<SweepRun>& sweep_runs) {
   constexpr double golden = 0.618;
-  const std::size_t count = climbs.size();
+  const std::size_t count = sweep_runs.size();
   std::size_t later = std::max<std::size_t>(1, static_cast<std::size_t>(golden * static_cast<double>(count)));
   while (std::gcd(later, count) != 1) --later;
   std::vector<std::size_t> order(count);
   for (std::size_t i = 0; i < count; ++i) order[i * later % count] = i;
-  std::stable_partition(order.begin(), order.end(), [&](std::size_t i) { return climbs[i].ladder->takes_long; });
+  std::stable_partition(order.begin(), order.end(), [&](std::size_t i) { return sweep_runs[i].sweep->takes_long; });
   return order;
 }
 
-std::vector<Ladder> ladders_of(const StressOptions& options) {
-  std::vector<Ladder> ladders = stress_ladders(options.folder / "assets");
-  if (!options.turned) return ladders;
-  std::erase_if(ladders, [](const Ladder& ladder) { return ladder.measured != nullptr || ladder.is_turned; });
-  for (Ladder& ladder : ladders) ladder = turned(std::move(ladder));
-  return ladders;
+std::vector<Sweep> sweeps_of(const StressOptions& options) {
+  std::vector<Sweep> sweeps = stress_sweeps(options.folder / "assets");
+  if (!options.turned) return sweeps;
+  std::erase_if(sweeps, [](const Sweep& sweep) { return sweep.measured != nullptr || sweep.is_turned; });
+  for (Sweep& sweep : sweeps) sweep = turned(std::move(sweep));
+  return sweeps;
 }
 
 void make_folders(const fs::path& folder) {
@@ -272,19 +273,19 @@ void keep_earlier_record(const fs::path& file, const std::string& checksum) {
 
 }  // namespace
 
-std::vector<std::string> stress_ladder_names(const fs::path& scratch) {
+std::vector<std::string> stress_sweep_names(const fs::path& scratch) {
   std::vector<std::string> names;
-  for (const Ladder& ladder : stress_ladders(scratch)) names.push_back(ladder.name());
+  for (const Sweep& sweep : stress_sweeps(scratch)) names.push_back(sweep.name());
   return names;
 }
 
 StressRecord run_stress(const StressOptions& options) {
   const FolderLock lock(options.folder);
   make_folders(options.folder);
-  const std::vector<Ladder> ladders = ladders_of(options);
-  const std::vector<Climb> climbs = chosen(options, ladders);
+  const std::vector<Sweep> sweeps = sweeps_of(options);
+  const std::vector<SweepRun> sweep_runs = chosen(options, sweeps);
   StressRunner runner(options.program, options.folder, options.others, options.interrupt);
-  Climber climber(options, runner);
+  SweepRunner sweep_runner(options, runner);
   StressRecord record;
   record.created = utc_now();
   record.program = options.version;
@@ -294,26 +295,26 @@ StressRecord run_stress(const StressOptions& options) {
   const Host host = describe_host();
   record.host = host.cpu + ", " + std::to_string(host.cores) + " cores, " + host.os;
   const Timer timer;
-  std::vector<StressLadder> climbed(climbs.size());
-  std::vector<char> done(climbs.size(), 0);
+  std::vector<StressSweep> swept(sweep_runs.size());
+  std::vector<char> done(sweep_runs.size(), 0);
   std::mutex telling;
   std::size_t ended = 0;
   const int jobs = options.jobs > 0 ? options.jobs : host.cores;
-  const std::vector<std::size_t> order = order_of(climbs);
+  const std::vector<std::size_t> order = order_of(sweep_runs);
   try {
-    side_by_side(climbs.size(), jobs, [&](std::size_t turn) {
+    side_by_side(sweep_runs.size(), jobs, [&](std::size_t turn) {
       const std::size_t i = order[turn];
-      climbed[i] = climber.climb(climbs[i]);
+      swept[i] = sweep_runner.sweep_run(sweep_runs[i]);
       done[i] = 1;
       const std::lock_guard told(telling);
       ++ended;
-      if (options.ended) options.ended(ended, climbs.size(), climbed[i]);
+      if (options.ended) options.ended(ended, sweep_runs.size(), swept[i]);
     });
   } catch (const StressInterrupted&) {
     record.interrupted = true;
   }
-  for (std::size_t i = 0; i < climbs.size(); ++i)
-    if (done[i] != 0) record.ladders.push_back(std::move(climbed[i]));
+  for (std::size_t i = 0; i < sweep_runs.size(); ++i)
+    if (done[i] != 0) record.sweeps.push_back(std::move(swept[i]));
   record.seconds = timer.seconds();
   const fs::path file = options.folder / "stress.json";
   keep_earlier_record(file, record.checksum);

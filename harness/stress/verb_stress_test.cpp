@@ -1,4 +1,4 @@
-// The program climbs a few ladders, goes on from what it kept, and tells a program with a fault from a sound one.
+// The program climbs a few sweeps, goes on from what it kept, and tells a program with a fault from a sound one.
 
 #include <gtest/gtest.h>
 
@@ -28,23 +28,23 @@ class Stress : public ::testing::Test {
   ScratchFolder folder_{"stress-test"};
 };
 
-TEST_F(Stress, climbs_what_is_asked_for_and_keeps_it) {
+TEST_F(Stress, sweep_runs_what_is_asked_for_and_keeps_it) {
   const ProcessOutcome first = stress({"--quick", "--only", "shape sphere, scale"});
   ASSERT_TRUE(first.ok()) << first.standard_output << first.standard_error;
   EXPECT_NE(first.standard_output.find("4 right, 0 silently wrong"), std::string::npos) << first.standard_output;
   EXPECT_TRUE(fs::exists(folder_.path() / "stress.html"));
   const StressRecord before = record();
-  ASSERT_EQ(before.ladders.size(), 4u);  // up and down, by path and photonmapper
-  EXPECT_EQ(before.ladders[0].right_up_to(), 15);
+  ASSERT_EQ(before.sweeps.size(), 4u);  // up and down, by path and photonmapper
+  EXPECT_EQ(before.sweeps[0].right_up_to(), 15);
   const std::string kept = (folder_.path() / "old.json").string();
   fs::copy_file(folder_.path() / "stress.json", kept);
   const ProcessOutcome again = stress({"--quick", "--only", "shape sphere, scale", "--against", kept});
   EXPECT_TRUE(again.ok()) << again.standard_error;
   EXPECT_NE(again.standard_output.find("no step back"), std::string::npos);
-  EXPECT_EQ(record().ladders[0].rungs[0].seconds, before.ladders[0].rungs[0].seconds);  // was not rendered again
+  EXPECT_EQ(record().sweeps[0].levels[0].seconds, before.sweeps[0].levels[0].seconds);  // was not rendered again
 }
 
-TEST_F(Stress, lets_other_programs_climb_and_holds_compare_to_closed_forms) {
+TEST_F(Stress, lets_other_programs_sweep_run_and_holds_compare_to_closed_forms) {
   const fs::path rows = folder_.path() / "engines.toml", table = folder_.path() / "table.md";
   write_file_atomically(rows,
                         "[[engine]]\nname = \"mine\"\ntitle = \"mine\"\ntrust = \"external\"\nbudgets = [\"spp\"]\n"
@@ -54,12 +54,12 @@ TEST_F(Stress, lets_other_programs_climb_and_holds_compare_to_closed_forms) {
       stress({"--quick", "--engines", rows.string(), "--engine", "mine", "--engine", "compare", "--only",
               "shape mesh, scale up", "--only", "metrics, images up", "--markdown", table.string()});
   ASSERT_TRUE(outcome.ok()) << outcome.standard_output << outcome.standard_error;
-  const StressRecord climbed = record();
-  ASSERT_EQ(climbed.ladders.size(), 2u);
-  EXPECT_EQ(climbed.ladders[0].engine, "mine");
-  EXPECT_EQ(climbed.ladders[0].right_up_to(), 15) << climbed.ladders[0].not_climbed;
-  EXPECT_EQ(climbed.ladders[1].engine, "compare");
-  EXPECT_EQ(climbed.ladders[1].right_up_to(), 30);
+  const StressRecord swept = record();
+  ASSERT_EQ(swept.sweeps.size(), 2u);
+  EXPECT_EQ(swept.sweeps[0].engine, "mine");
+  EXPECT_EQ(swept.sweeps[0].right_up_to(), 15) << swept.sweeps[0].not_swept;
+  EXPECT_EQ(swept.sweeps[1].engine, "compare");
+  EXPECT_EQ(swept.sweeps[1].right_up_to(), 30);
   EXPECT_NE(read_file(table).find("| shape mesh | scale up | 15 | all (15) |"), std::string::npos) << read_file(table);
 }
 
@@ -75,12 +75,12 @@ TEST_F(Stress, leaves_out_what_another_build_refuses) {
   ASSERT_TRUE(outcome.ok()) << outcome.standard_output << outcome.standard_error;
   EXPECT_NE(outcome.standard_output.find("1 right, 0 silently wrong; 1 of 2 climbs left out"), std::string::npos)
       << outcome.standard_output;
-  const StressRecord climbed = record();
-  ASSERT_EQ(climbed.ladders.size(), 2u);
-  for (const StressLadder& ladder : climbed.ladders) {
-    const bool is_known = ladder.feature == "shape sphere";
-    EXPECT_EQ(ladder.rungs.size(), is_known ? 1u : 0u);
-    EXPECT_EQ(ladder.not_climbed.find("no cylinders") == std::string::npos, is_known) << ladder.not_climbed;
+  const StressRecord swept = record();
+  ASSERT_EQ(swept.sweeps.size(), 2u);
+  for (const StressSweep& sweep : swept.sweeps) {
+    const bool is_known = sweep.feature == "shape sphere";
+    EXPECT_EQ(sweep.levels.size(), is_known ? 1u : 0u);
+    EXPECT_EQ(sweep.not_swept.find("no cylinders") == std::string::npos, is_known) << sweep.not_swept;
   }
 }
 
@@ -91,59 +91,59 @@ TEST_F(Stress, fails_where_another_build_crashes) {
   const ProcessOutcome outcome =
       stress({"--quick", "--engine", "path", "--program", old.string(), "--only", "shape sphere, scale up"});
   EXPECT_EQ(outcome.exit_code, 1) << outcome.standard_output << outcome.standard_error;
-  ASSERT_EQ(record().ladders.size(), 1u);
-  ASSERT_EQ(record().ladders[0].rungs.size(), 1u);
-  EXPECT_EQ(record().ladders[0].rungs[0].outcome, RungOutcome::crashed);
+  ASSERT_EQ(record().sweeps.size(), 1u);
+  ASSERT_EQ(record().sweeps[0].levels.size(), 1u);
+  EXPECT_EQ(record().sweeps[0].levels[0].outcome, LevelOutcome::crashed);
 }
 
-TEST_F(Stress, looks_again_where_noise_hides_what_a_rung_is) {
-  // By 64 samples of a lamp in a mirror only an error of 14 % would be seen, and the loss of the variance layer, which
+TEST_F(Stress, looks_again_where_noise_hides_what_a_level_is) {
+  // By 64 samples of a light in a mirror only an error of 14 % would be seen, and the loss of the variance layer, which
   // is said from 10^19 on, is no reason to leave it at that.
   const ProcessOutcome outcome = stress({"--quick", "--engine", "path", "--only", "bsdf conductor, radiance up"});
   ASSERT_TRUE(outcome.ok()) << outcome.standard_error;
-  ASSERT_EQ(record().ladders.size(), 1u);
-  EXPECT_EQ(record().ladders[0].right_up_to(), 30) << outcome.standard_output;
-  EXPECT_LT(record().ladders[0].rungs[0].would_see.value_or(1), 0.1);
+  ASSERT_EQ(record().sweeps.size(), 1u);
+  EXPECT_EQ(record().sweeps[0].right_up_to(), 30) << outcome.standard_output;
+  EXPECT_LT(record().sweeps[0].levels[0].would_see.value_or(1), 0.1);
 
   // Light tracing's first looks show 13 %, as would more of them beside what is expected from 256 samples.
   ASSERT_TRUE(stress({"--quick", "--engine", "ptracer", "--only", "light constant, radiance up"}).ok());
-  ASSERT_EQ(record().ladders.size(), 1u);
-  EXPECT_EQ(record().ladders[0].right_up_to(), 30);
+  ASSERT_EQ(record().sweeps.size(), 1u);
+  EXPECT_EQ(record().sweeps[0].right_up_to(), 30);
 }
 
-TEST_F(Stress, lamps_of_every_size_light_a_floor_as_theory_says) {
-  // By paths that ask lamps and meet them, by lamps alone, and by what lamps send out; in a list of primitives and in a
-  // hierarchy.
-  const std::vector<std::vector<std::string>> climbs{
+TEST_F(Stress, lights_of_every_size_light_a_floor_as_theory_says) {
+  // By paths that ask lights and meet them, by lights alone, and by what lights send out; in a list of primitives and
+  // in a hierarchy.
+  const std::vector<std::vector<std::string>> sweep_runs{
       {"--engine", "path", "--engine", "whitted", "--only", "mesh, huge and tilted", "--only", "sphere, huge, over",
        "--only", "sphere, huge, around", "--only", "cylinder, huge, over a floor, in"},
       {"--engine", "ptracer", "--only", "sphere, huge, over a floor, in"},
       {"--engine", "volpath", "--only", "sphere, huge, over a floor, beside a medium"}};
-  std::size_t ladders = 0;
-  for (const std::vector<std::string>& climb : climbs) {
-    const ProcessOutcome outcome = stress(climb);
+  std::size_t sweeps = 0;
+  for (const std::vector<std::string>& sweep_run : sweep_runs) {
+    const ProcessOutcome outcome = stress(sweep_run);
     ASSERT_TRUE(outcome.ok()) << outcome.standard_output;
-    for (const StressLadder& ladder : record().ladders)
-      EXPECT_GE(ladder.right_up_to().value_or(0), 9) << ladder.feature << ", " << ladder.climb << ", " << ladder.engine;
-    ladders += record().ladders.size();
+    for (const StressSweep& sweep : record().sweeps)
+      EXPECT_GE(sweep.right_up_to().value_or(0), 9) << sweep.feature << ", " << sweep.sweep_run << ", " << sweep.engine;
+    sweeps += record().sweeps.size();
   }
-  EXPECT_EQ(ladders, 16u);
+  EXPECT_EQ(sweeps, 16u);
 }
 
 TEST_F(Stress, light_that_grazes_turned_faces_is_right_or_said) {
   const ProcessOutcome outcome =
       stress({"--engine", "path", "--only", "near the floor, turned", "--only", "grazing, turned"});
   ASSERT_TRUE(outcome.ok()) << outcome.standard_output;
-  ASSERT_EQ(record().ladders.size(), 6u);
-  for (const StressLadder& ladder : record().ladders) {
-    const std::string name = ladder.feature + ", " + ladder.climb + ", " + ladder.engine;
-    EXPECT_GE(ladder.right_up_to().value_or(0), ladder.wanted) << name;
-    for (const StressRung& rung : ladder.rungs)
-      if (rung.height >= 7 && rung.height <= 9) {  // at 12 radiances are beyond what a scene may say
+  ASSERT_EQ(record().sweeps.size(), 6u);
+  for (const StressSweep& sweep : record().sweeps) {
+    const std::string name = sweep.feature + ", " + sweep.sweep_run + ", " + sweep.engine;
+    EXPECT_GE(sweep.right_up_to().value_or(0), sweep.wanted) << name;
+    for (const StressLevel& level : sweep.levels)
+      if (level.height >= 7 && level.height <= 9) {  // at 12 radiances are beyond what a scene may say
         // Rounding may fall on the right side; it is said all the same.
-        EXPECT_TRUE(rung.outcome == RungOutcome::degraded || rung.outcome == RungOutcome::right)
-            << name << " " << rung.height << ": " << to_string(rung.outcome);
-        EXPECT_NE(rung.sentence.find("light that grazes it there is not known"), std::string::npos) << rung.sentence;
+        EXPECT_TRUE(level.outcome == LevelOutcome::degraded || level.outcome == LevelOutcome::right)
+            << name << " " << level.height << ": " << to_string(level.outcome);
+        EXPECT_NE(level.sentence.find("light that grazes it there is not known"), std::string::npos) << level.sentence;
       }
   }
 }
@@ -152,11 +152,11 @@ TEST_F(Stress, turns_every_stage_where_asked_to) {
   const ProcessOutcome outcome = stress({"--turned", "--quick", "--engine", "path", "--only", "light rectangle, near",
                                          "--only", "shape mesh, translation"});
   ASSERT_TRUE(outcome.ok()) << outcome.standard_output;
-  ASSERT_EQ(record().ladders.size(), 2u);
-  EXPECT_EQ(record().ladders[0].climb, "translation, turned");
-  EXPECT_EQ(record().ladders[0].right_up_to(), 9);
-  EXPECT_EQ(record().ladders[1].climb, "near the floor, turned");
-  EXPECT_EQ(record().ladders[1].rungs.back().outcome, RungOutcome::degraded);  // straight it is right
+  ASSERT_EQ(record().sweeps.size(), 2u);
+  EXPECT_EQ(record().sweeps[0].sweep_run, "translation, turned");
+  EXPECT_EQ(record().sweeps[0].right_up_to(), 9);
+  EXPECT_EQ(record().sweeps[1].sweep_run, "near the floor, turned");
+  EXPECT_EQ(record().sweeps[1].levels.back().outcome, LevelOutcome::degraded);  // straight it is right
 }
 
 TEST_F(Stress, refuses_what_it_does_not_know_in_one_line) {
@@ -168,7 +168,7 @@ TEST_F(Stress, refuses_what_it_does_not_know_in_one_line) {
   }
 }
 
-TEST_F(Stress, finds_a_fault_in_the_climb_that_has_it_and_in_no_other) {
+TEST_F(Stress, finds_a_fault_in_the_sweep_run_that_has_it_and_in_no_other) {
   // Without its cosine a beam of irradiance 1/sine lights the floor by 1/sine instead of by 1; sizes and places of the
   // same scene do not show that.
   // Faults are in the kernels of one instruction set.
@@ -182,12 +182,12 @@ TEST_F(Stress, finds_a_fault_in_the_climb_that_has_it_and_in_no_other) {
       stress({"--quick", "--engine", "path", "--only", "light directional", "--program", program.string()});
   unsetenv("PHOTONPROOF_FAULT");
   EXPECT_EQ(outcome.exit_code, 1) << outcome.standard_error;
-  ASSERT_EQ(record().ladders.size(), 7u);
-  for (const StressLadder& ladder : record().ladders) {
-    const bool is_grazing = ladder.climb.starts_with("grazing");  // straight and turned
-    EXPECT_EQ(ladder.breakdown() != nullptr, is_grazing) << ladder.climb << ": " << outcome.standard_output;
-    if (is_grazing && ladder.breakdown() != nullptr) {
-      EXPECT_EQ(ladder.breakdown()->height, 1);
+  ASSERT_EQ(record().sweeps.size(), 7u);
+  for (const StressSweep& sweep : record().sweeps) {
+    const bool is_grazing = sweep.sweep_run.starts_with("grazing");  // straight and turned
+    EXPECT_EQ(sweep.breakdown() != nullptr, is_grazing) << sweep.sweep_run << ": " << outcome.standard_output;
+    if (is_grazing && sweep.breakdown() != nullptr) {
+      EXPECT_EQ(sweep.breakdown()->height, 1);
     }
   }
 }

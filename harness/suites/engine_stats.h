@@ -1,7 +1,7 @@
 // What an engine says about its own run: the stats JSON it may write at {stats}. Keys that are not below are ignored:
 //   {"schema_version": 1, "phases": {"render": 1.5}, "counts": {"rays": 1e9},
 //    "skipped": ["caustic photon map: no specular surface"], "losses": ["radiosity ends after 12 bounces: ..."],
-//    "cannot_find": ["caustics of lamps without size"]}
+//    "cannot_find": ["caustics of lights without size"]}
 #pragma once
 
 #include <filesystem>

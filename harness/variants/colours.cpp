@@ -67,11 +67,11 @@ struct PluginColours {
   throw InputError(scene.where(loc), std::string(what) + ", and a variant changes numbers alone");
 }
 
-void change_lamps(SceneDescription& scene, PluginColours& colours) {
+void change_lights(SceneDescription& scene, PluginColours& colours) {
   for (ShapeDescription& shape : scene.shapes) {
     if (!shape.radiance) continue;
     if (std::holds_alternative<TextureIndex>(*shape.radiance) && colours.emissions_only)
-      in_a_file(scene, shape.loc, "the lamp's radiance is a texture");
+      in_a_file(scene, shape.loc, "the light's radiance is a texture");
     colours.set(*shape.radiance);
   }
   for (EmitterDescription& emitter : scene.emitters)
@@ -94,13 +94,13 @@ void change_all_colours(SceneDescription& scene, const ColourChange& change) {
     if (std::holds_alternative<EnvmapDescription>(emitter.light) ||
         std::holds_alternative<SunSkyDescription>(emitter.light))
       in_a_file(scene, emitter.loc, "the sky's colours are its own");
-  change_lamps(scene, colours);
+  change_lights(scene, colours);
 }
 
-void scale_lamps(SceneDescription& scene, double factor) {
+void scale_lights(SceneDescription& scene, double factor) {
   const ColourChange change = [factor](const RgbD& c) { return c * factor; };
   PluginColours colours{change, true};
-  change_lamps(scene, colours);
+  change_lights(scene, colours);
   for (EmitterDescription& emitter : scene.emitters) {
     if (auto* map = std::get_if<EnvmapDescription>(&emitter.light)) map->scale *= factor;
     if (auto* sky = std::get_if<SunSkyDescription>(&emitter.light)) {

@@ -8,7 +8,7 @@
 namespace photonproof::inline harness_variants {
 namespace {
 
-void move_lamp(EmitterDescription& emitter, const Transform& motion) {
+void move_light(EmitterDescription& emitter, const Transform& motion) {
   std::visit(
       Overloaded{[&](PointLightDescription& light) { light.position = motion.point(light.position); },
                  [&](DirectionalLightDescription& light) { light.direction = motion.vector(light.direction); },
@@ -33,7 +33,7 @@ Transform mirror_of_itself(const ShapeDescription& shape) {
 
 void move_everything(SceneDescription& scene, const Transform& motion) {
   for (ShapeDescription& shape : scene.shapes) shape.to_world = motion * shape.to_world;
-  for (EmitterDescription& emitter : scene.emitters) move_lamp(emitter, motion);
+  for (EmitterDescription& emitter : scene.emitters) move_light(emitter, motion);
   scene.sensor.to_world = motion * scene.sensor.to_world;
 }
 
@@ -51,8 +51,8 @@ void mirror_in_view(SceneDescription& scene) {
     const bool even = std::holds_alternative<PointLightDescription>(emitter.light) ||
                       std::holds_alternative<DirectionalLightDescription>(emitter.light) ||
                       std::holds_alternative<ConstantLightDescription>(emitter.light);
-    if (!even) throw InputError(scene.where(emitter.loc), "a lamp of this kind cannot be mirrored");
-    move_lamp(emitter, mirror);
+    if (!even) throw InputError(scene.where(emitter.loc), "a light of this kind cannot be mirrored");
+    move_light(emitter, mirror);
   }
 }
 

@@ -139,7 +139,7 @@ const char* word_of(PlainMaterial material) {
 }
 
 std::vector<PlainObject> plain_objects(const SceneDescription& scene) {
-  if (!scene.emitters.empty()) cannot_say(scene, scene.emitters.front().loc, "a lamp but of a shape that shines");
+  if (!scene.emitters.empty()) cannot_say(scene, scene.emitters.front().loc, "a light but of a shape that shines");
   std::vector<PlainObject> objects;
   for (const ShapeDescription& shape : scene.shapes) {
     if (shape.interior || shape.exterior) cannot_say(scene, shape.loc, "a medium");
@@ -149,7 +149,7 @@ std::vector<PlainObject> plain_objects(const SceneDescription& scene) {
     set_material(scene, shape.bsdf, object);
     if (shape.radiance) {
       object.material = PlainMaterial::light;
-      object.radiance = plain_colour(scene, *shape.radiance, shape.loc, "a lamp's radiance");
+      object.radiance = plain_colour(scene, *shape.radiance, shape.loc, "a light's radiance");
     }
     objects.push_back(object);
   }

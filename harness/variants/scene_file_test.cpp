@@ -28,7 +28,7 @@ SceneDescription scene_of_library(const std::string& name) {
 }
 
 TEST(SceneFile, has_the_numbers_of_the_scene) {
-  // Normals a x b: the floor's is +y, the ceiling's and the lamp's -y.
+  // Normals a x b: the floor's is +y, the ceiling's and the light's -y.
   EXPECT_EQ(scene_file_text(scene_of_library("course-1"), 96, 64, course_template, "t"), R"(size 96 64
 camera 0 0 150 0 0 -1 0 1 0 52.62529698957768
 rectangle 0 -50 0, 50 0 0, 0 0 -50 grey diffuse 0.7 0.7 0.7
@@ -72,7 +72,8 @@ TEST(SceneFile, says_what_it_cannot_say) {
     return input_error_of([&] { scene_file_text(scene_of_library(scene), 8, 8, text, "scene.mustache"); });
   };
   EXPECT_THAT(error_of("roughness", "{{width}}"), testing::HasSubstr("the course's scene files cannot say"));
-  EXPECT_THAT(error_of("light-point", "{{width}}"), testing::HasSubstr("cannot say a lamp but of a shape that shines"));
+  EXPECT_THAT(error_of("light-point", "{{width}}"),
+              testing::HasSubstr("cannot say a light but of a shape that shines"));
   EXPECT_THAT(error_of("course-1", "{{#objects}}"), testing::StartsWith("scene.mustache: error: "));
   EXPECT_EQ(error_of("course-1", "{{#objects}}{{shininess}}{{/objects}}"),
             "scene.mustache: error: it names 'shininess', which no scene has");

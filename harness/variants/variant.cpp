@@ -13,7 +13,7 @@
 #include "harness/variants/draws.h"
 #include "harness/variants/more_spheres.h"
 #include "harness/variants/motions.h"
-#include "harness/variants/split_lamp.h"
+#include "harness/variants/split_light.h"
 #include "scenes/base/text_numbers.h"
 
 namespace photonproof::inline harness_variants {
@@ -88,7 +88,7 @@ void make_rigid_move(Variant& variant, const VariantOptions& options) {
   };
   const double x = step(), y = step(), z = step();
   move_everything(variant.scene, Transform::translate({x, y, z}) * turn);
-  variant.says = "everything, camera and lamps too, turned and moved: its image is the base's";
+  variant.says = "everything, camera and lights too, turned and moved: its image is the base's";
   predict_by(variant, same_image);
 }
 
@@ -96,10 +96,10 @@ void make_light_scale(Variant& variant, const VariantOptions&) {
   VariantDraws draws(variant.seed, 3);
   // More than 1: what was clamped at white stays so, and the prediction holds after clamping.
   const double factor = std::round(draws.between(1.25, 1.75) * 100) / 100;
-  scale_lamps(variant.scene, factor);
+  scale_lights(variant.scene, factor);
   const std::string words = format_number(factor);
   variant.says =
-      "every lamp " + words + " times as bright: its image is " + words + " times the base's, before clamping";
+      "every light " + words + " times as bright: its image is " + words + " times the base's, before clamping";
   const auto times = [](double by) {
     return [by](const Image& base) {
       Image image = base;
@@ -129,8 +129,8 @@ void make_colour_permutation(Variant& variant, const VariantOptions&) {
 
 void make_superposition(Variant& variant, const VariantOptions&) {
   VariantDraws draws(variant.seed, 5);
-  split_a_lamp(variant.scene, draws.below(1 << 16), draws.between(0.3, 0.7), draws.below(2) == 0);
-  variant.says = "a lamp cut in two, which shine together: light adds up, and the image is the base's";
+  split_a_light(variant.scene, draws.below(1 << 16), draws.between(0.3, 0.7), draws.below(2) == 0);
+  variant.says = "a light cut in two, which shine together: light adds up, and the image is the base's";
   predict_by(variant, same_image);
 }
 

@@ -4,10 +4,10 @@
 // | kind | scene | its image |
 // |---|---|---|
 // | mirror | mirrored left to right as the camera sees it | the base's, mirrored |
-// | rigid-move | everything, camera and lamps too, turned and moved | the base's |
-// | light-scale | every lamp brighter by the same factor, more than 1 | the base's times this, before it is clamped |
-// | colour-permutation | channels of every reflectance and lamp exchanged | the base's with its channels exchanged |
-// | superposition | a lamp cut in two, which shine together | the base's |
+// | rigid-move | everything, camera and lights too, turned and moved | the base's |
+// | light-scale | every light brighter by the same factor, more than 1 | the base's times this, before it is clamped |
+// | colour-permutation | channels of every reflectance and light exchanged | the base's with its channels exchanged |
+// | superposition | a light cut in two, which shine together | the base's |
 // | object-order | objects in another order | the base's |
 // | resolution | fewer pixels | means of the base's pixels |
 // | crop | a narrower view | the middle of a base that is rendered with more pixels |
@@ -38,7 +38,7 @@ struct Variant {
   SceneDescription scene;               ///< its film has the variant's size
   int width = 0, height = 0;            ///< of the variant's image
   int base_width = 0, base_height = 0;  ///< of the base's image that the prediction starts from
-  std::string says;                     ///< what was done, and what follows: "every lamp 1.4 times as bright: ..."
+  std::string says;                     ///< what was done, and what follows: "every light 1.4 times as bright: ..."
   /// From the linear image of the base; empty: a new reference must be rendered. Where the base is clamped at white,
   /// the prediction is right once it is clamped, too.
   std::function<Image(const Image&)> predicted;

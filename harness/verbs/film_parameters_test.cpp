@@ -28,7 +28,7 @@ class FilmParameters : public FolderTest {
  protected:
   std::string path(const std::string& name) const { return (folder_ / name).string(); }
 
-  /// A diffuse ball and a glass one above a floor, a lamp over them; the film has 48 x 32 pixels.
+  /// A diffuse ball and a glass one above a floor, a light over them; the film has 48 x 32 pixels.
   void put_room(const std::string& name, const std::string& film, const std::string& camera = "perspective",
                 const std::string& parameters = "") {
     put(name, "<scene version='3.0.0'><integrator type='path'/><sensor type='" + camera + "'>" + parameters +
@@ -198,14 +198,14 @@ TEST_F(FilmParameters, border_is_sampled_where_the_film_asks_for_it_alone) {
   };
   const std::vector<Case> cases{{"<rfilter type='tent'/>", [](double d) { return 1 - std::abs(d); }, 1},
                                 {gaussian, [](double d) { return std::exp(-2 * d * d) - std::exp(-8.0); }, 2}};
-  const std::string lamp = "<shape type='rectangle'>" + lit_from_column_one +
-                           "<bsdf type='diffuse'><rgb name='reflectance' value='0'/></bsdf>"
-                           "<emitter type='area'/></shape>";
+  const std::string light = "<shape type='rectangle'>" + lit_from_column_one +
+                            "<bsdf type='diffuse'><rgb name='reflectance' value='0'/></bsdf>"
+                            "<emitter type='area'/></shape>";
   for (const Case& c : cases)
     for (const bool border : {false, true}) {
       put("scene.xml",
           parallel_view(c.filter + "<boolean name='sample_border' value='" + (border ? "true" : "false") + "'/>",
-                        lamp));
+                        light));
       for (const char* method : {"path", "direct", "volpath", "whitted", "bdpt", "ptracer"}) {
         const Image image = render("scene.xml", {"--spp", "4096", "--integrator", method}).mean;
         for (int x = 0; x < 6; ++x) {
@@ -255,9 +255,9 @@ TEST_F(FilmParameters, channel_a_is_the_share_of_samples_on_a_shape) {
 
 TEST_F(FilmParameters, channel_a_leaves_out_lights_that_are_hidden) {
   const std::string rgba = box + "<string name='pixel_format' value='rgba'/>";
-  const std::string lamp = "<shape type='rectangle'>" + lit_from_column_one + "<emitter type='area'/></shape>";
+  const std::string light = "<shape type='rectangle'>" + lit_from_column_one + "<emitter type='area'/></shape>";
   for (const bool hidden : {false, true}) {
-    std::string scene = parallel_view(rgba, lamp);
+    std::string scene = parallel_view(rgba, light);
     const std::string plain = "<integrator type='path'/>";
     scene.replace(scene.find(plain), plain.size(),
                   "<integrator type='path'><boolean name='hide_emitters' value='" +

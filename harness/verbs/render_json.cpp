@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "renderer/core/version.h"
-#include "renderer/passes/view.h"
+#include "renderer/passes/aov.h"
 
 namespace photonproof::inline harness_verbs {
 
@@ -24,7 +24,7 @@ nlohmann::ordered_json plan_json(const RenderPlan& plan) {
   for (const RenderPlan::Decision& d : plan.decisions)
     skips[skip_row(d.skip).name] = {{"skipped", d.skipped}, {"why", d.why}};
   nlohmann::ordered_json json = {{"integrator", plan.integrator},
-                                 {"view", view_row(plan.view).name},
+                                 {"view", aov_row(plan.view).name},
                                  {"isa", plan.isa},
                                  {"lanes", plan.lanes},
                                  {"runs", runs}};

@@ -42,7 +42,7 @@ RenderRequest request_of(const RenderArguments& arguments) {
   request.threads = arguments.threads;
   request.grid = arguments.grid;
   request.sampler = arguments.sampler == "sobol" ? SamplerKind::sobol : SamplerKind::independent;
-  request.view = view_named(arguments.view);
+  request.view = aov_named(arguments.view);
   request.no_skip = arguments.no_skip;
   request.isa = arguments.isa;
   if (const std::vector<int>& crop = arguments.crop; !crop.empty()) request.crop = {crop[0], crop[1], crop[2], crop[3]};
@@ -66,7 +66,7 @@ Task read_task(const RenderArguments& arguments, const std::vector<fs::path>& ou
   if (!arguments.integrator.empty() && arguments.integrator != integrator)
     throw InputError("--preset", "'" + arguments.preset + "' is of integrator '" + integrator + "', not of '" +
                                      arguments.integrator + "'");
-  if (task.request.grid == 0 && task.request.view != View::photons) task.request.grid = preset->grid;
+  if (task.request.grid == 0 && task.request.view != Aov::photons) task.request.grid = preset->grid;
   return task;
 }
 
@@ -81,7 +81,7 @@ int print_plan(const RenderArguments& arguments) {
 
 /// With `before`, where it is not the whole image.
 std::string view_words(const RenderPlan& plan, const char* before) {
-  return plan.view == View::whole ? "" : before + std::string(view_row(plan.view).name);
+  return plan.view == Aov::whole ? "" : before + std::string(aov_row(plan.view).name);
 }
 
 double samples_per_pixel(const RenderStats& stats) { return stats.counts.at("samples_per_pixel"); }

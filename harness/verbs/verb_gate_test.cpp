@@ -392,13 +392,13 @@ TEST_F(GateVerb, accepting_needs_a_reason_and_keeps_it_with_old_and_new) {
   EXPECT_NE(without.standard_error.find("say why"), std::string::npos) << without.standard_error;
 
   std::vector<std::string> with = accept;
-  with.insert(with.end(), {"--reason", "the lamp is a sphere now", "--standard-error", "0.05"});
+  with.insert(with.end(), {"--reason", "the light is a sphere now", "--standard-error", "0.05"});
   const ProcessOutcome outcome = run_process(with, {.wall_limit_seconds = 120});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.standard_error;
   const StoredReference now = load_reference(folder_ / "scene.xml", width, height);
-  ASSERT_EQ(now.provenance.history.size(), 1u);
-  const Acceptance& acceptance = now.provenance.history[0];
-  EXPECT_EQ(acceptance.reason.rfind("the lamp is a sphere now (accepted by ", 0), 0u) << acceptance.reason;
+  ASSERT_EQ(now.provenance.state_of_path.size(), 1u);
+  const Acceptance& acceptance = now.provenance.state_of_path[0];
+  EXPECT_EQ(acceptance.reason.rfind("the light is a sphere now (accepted by ", 0), 0u) << acceptance.reason;
   EXPECT_NE(acceptance.reason.find("relmse"), std::string::npos) << acceptance.reason;
   EXPECT_NE(acceptance.before, acceptance.after);
 }

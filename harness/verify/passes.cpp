@@ -13,7 +13,7 @@ namespace {
 constexpr double kDim = 1.0 / 32;
 
 struct Kept {
-  bool emits = false;  ///< surfaces emit instead of reflecting, and lamps are gone
+  bool emits = false;  ///< surfaces emit instead of reflecting, and lights are gone
   bool indirect = false, textures = false, gloss = false, mirrors = false, glass = false, media = false;
 };
 
@@ -167,7 +167,7 @@ std::vector<ScenePass> passes_of(const SceneDescription& scene) {
   const bool reflects = holds.diffuse || holds.gloss;
   // Shapes of groups cannot emit (scenes/FORMAT.md).
   add(!holds.groups, "shapes", "camera, shapes and their sides", {.emits = true});
-  add(reflects, "direct", "light from lamps on diffuse surfaces", {});
+  add(reflects, "direct", "light from lights on diffuse surfaces", {});
   add(reflects, "indirect", "light between diffuse surfaces", {.indirect = true});
   add(holds.textures, "texture", "textures and maps", {.textures = true});
   add(holds.gloss, "gloss", "plastic, lacquer and Phong", {.gloss = true});

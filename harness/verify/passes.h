@@ -17,11 +17,11 @@ struct ScenePass {
 
 /// From the simplest on; only those that the scene has something for:
 ///   shapes    every surface emits light of its own and reflects none: camera, shapes, and which side is which
-///   direct    lamps on diffuse surfaces of a 32nd of their albedo; mirrors, glass and gloss are black
+///   direct    lights on diffuse surfaces of a 32nd of their albedo; mirrors, glass and gloss are black
 ///   indirect  the same with all of the albedo
 ///   texture   direct light with its textures and maps, which are their mean before
 ///   gloss     direct light with plastic, lacquer and Phong
-///   mirror    what mirrors show of surfaces that emit: no lamp, no caustic
+///   mirror    what mirrors show of surfaces that emit: no light, no caustic
 ///   glass     what is seen through glass of the same
 ///   caustic   all surfaces but for textures, whose light by mirrors and glass on diffuse ones is new
 ///   medium    the same with the media

@@ -25,16 +25,16 @@ const SceneDescription& pass_of(const std::vector<ScenePass>& passes, const std:
   return std::ranges::find(passes, name, &ScenePass::name)->scene;
 }
 
-const std::string lamp = R"(<shape type="sphere"><emitter type="area"><rgb name="radiance" value="7"/></emitter>
+const std::string area_light = R"(<shape type="sphere"><emitter type="area"><rgb name="radiance" value="7"/></emitter>
   <bsdf type="diffuse"><rgb name="reflectance" value="0.64"/></bsdf></shape>)";
 const std::string glass = R"(<medium type="homogeneous" id="ink"/><shape type="sphere"><bsdf type="dielectric"/>
   <ref name="interior" id="ink"/></shape>)";
 
 TEST(Passes, are_those_that_the_scene_has_light_for) {
-  EXPECT_EQ(names_of(scene_of(lamp)), (std::vector<std::string>{"shapes", "direct", "indirect"}));
-  EXPECT_EQ(names_of(scene_of(lamp + glass)),
+  EXPECT_EQ(names_of(scene_of(area_light)), (std::vector<std::string>{"shapes", "direct", "indirect"}));
+  EXPECT_EQ(names_of(scene_of(area_light + glass)),
             (std::vector<std::string>{"shapes", "direct", "indirect", "glass", "caustic", "medium"}));
-  EXPECT_EQ(names_of(scene_of(lamp + R"(<shape type="sphere"><bsdf type="conductor"/></shape>
+  EXPECT_EQ(names_of(scene_of(area_light + R"(<shape type="sphere"><bsdf type="conductor"/></shape>
     <shape type="sphere"><bsdf type="plastic"/></shape><shape type="sphere"><bsdf type="diffuse">
     <texture name="reflectance" type="checkerboard"/></bsdf></shape>)")),
             (std::vector<std::string>{"shapes", "direct", "indirect", "texture", "gloss", "mirror", "caustic"}));
@@ -46,7 +46,7 @@ double albedo(const SceneDescription& scene, std::size_t shape) {
 }
 
 TEST(Passes, direct_light_is_dim_and_has_no_glass) {
-  const std::vector<ScenePass> passes = passes_of(scene_of(lamp + glass));
+  const std::vector<ScenePass> passes = passes_of(scene_of(area_light + glass));
   EXPECT_EQ(albedo(pass_of(passes, "direct"), 0), 0.02);
   EXPECT_EQ(albedo(pass_of(passes, "direct"), 1), 0);
   EXPECT_EQ(albedo(pass_of(passes, "indirect"), 0), 0.64);
@@ -56,8 +56,8 @@ TEST(Passes, direct_light_is_dim_and_has_no_glass) {
 }
 
 TEST(Passes, surfaces_emit_where_mirrors_and_glass_are_looked_at) {
-  const SceneDescription scene =
-      pass_of(passes_of(scene_of(lamp + glass + R"(<emitter type="point"/><emitter type="constant"/>)")), "glass");
+  const SceneDescription scene = pass_of(
+      passes_of(scene_of(area_light + glass + R"(<emitter type="point"/><emitter type="constant"/>)")), "glass");
   EXPECT_TRUE(scene.shapes[0].radiance);
   EXPECT_FALSE(scene.shapes[1].radiance);
   EXPECT_EQ(albedo(scene, 0), 0);

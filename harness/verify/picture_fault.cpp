@@ -14,7 +14,7 @@ namespace {
 /// What a change leaves of the squared difference where it is the fault; a gain alone leaves as much by chance.
 constexpr double kLeft = 0.15;
 
-/// Squared difference beyond noise, each pixel relative to its own brightness, so that lamps do not decide.
+/// Squared difference beyond noise, each pixel relative to its own brightness, so that lights do not decide.
 double unlike(const Image& expected, const EnginePicture& odd, const EnginePicture& right) {
   double sum = 0;
   const Image& seen = odd.rendering.mean;

@@ -35,7 +35,7 @@ class PlantedFaults : public VerifyTest {
 };
 
 TEST_F(PlantedFaults, povray_with_lights_that_are_2_percent_brighter) {
-  put_scene(walls(diffuse("0.5")) + point_lamp());
+  put_scene(walls(diffuse("0.5")) + point_light());
   put("expect.toml",
       "purpose = 'test'\nexposure = 0\n[[tolerance]]\nengine = 'odd'\nmetric = 'bias'\nvalue = 0.005\n"
       "reason = 'test'\n");
@@ -47,30 +47,30 @@ TEST_F(PlantedFaults, povray_with_lights_that_are_2_percent_brighter) {
 }
 
 TEST_F(PlantedFaults, diffuse_surfaces_without_the_cosine) {
-  put_scene(walls(diffuse("0.5")) + lamp());
+  put_scene(walls(diffuse("0.5")) + light());
   const std::string before = "'env', 'PHOTONPROOF_FAULT=dropped-cosine', '" + sound + "-faulty'";
   expect_blamed(row("odd", render_command(before, "path") + ", '--isa', 'v2'"), {"bdpt", "volpath"}, "direct");
 }
 
 TEST_F(PlantedFaults, caustic_map_at_half_its_power) {
-  put_scene(walls(diffuse("0.5")) + lamp() + glass_ball());
+  put_scene(walls(diffuse("0.5")) + light() + glass_ball());
   const std::string command = render_command("'" PLANTED_ENGINE "', 'half-caustic', '" + sound + "'", "photonmapper");
   expect_blamed(row("odd", command, "biased"), {"path", "bdpt"}, "caustic");
 }
 
 TEST_F(PlantedFaults, normal_that_is_flipped) {
-  put_scene(walls(diffuse("0.5")) + lamp());
+  put_scene(walls(diffuse("0.5")) + light());
   expect_blamed(odd_row("flipped-normal", "path"), {"bdpt", "volpath"}, "shapes");
 }
 
 TEST_F(PlantedFaults, camera_that_is_shifted_by_half_a_pixel) {
-  put_scene(walls(diffuse("0.5")) + lamp() +
+  put_scene(walls(diffuse("0.5")) + light() +
             rectangle(R"(<scale value="0.3"/><translate x="0.5" y="-0.5" z="0.1"/>)", diffuse("0.05")));
   expect_blamed(odd_row("shifted-camera", "path"), {"bdpt", "volpath"}, "camera");
 }
 
 TEST_F(PlantedFaults, gamma_where_values_are_linear) {
-  put_scene(walls(diffuse("0.5")) + lamp());
+  put_scene(walls(diffuse("0.5")) + light());
   expect_blamed(odd_row("gamma", "path"), {"bdpt", "volpath"}, "tone");
 }
 
@@ -85,7 +85,7 @@ TEST_F(PlantedFaults, index_of_refraction_of_1_52_in_place_of_1_5) {
 TEST_F(PlantedFaults, roughness_that_is_squared_twice) {
   put_scene(walls(R"(<bsdf type="roughconductor"><string name="material" value="none"/>
     <float name="alpha" value="0.4"/></bsdf>)") +
-            lamp());
+            light());
   expect_blamed(odd_row("alpha", "path"), {"bdpt", "volpath"}, "mirror", "", "0.05");
 }
 
@@ -95,14 +95,14 @@ TEST_F(PlantedFaults, roughness_that_is_squared_twice_by_a_witness_that_shares_n
     GTEST_SKIP() << "Blender is not installed: ./run --with-cycles installs it";
   put_scene(walls(R"(<bsdf type="roughconductor"><string name="material" value="none"/>
     <float name="alpha" value="0.4"/></bsdf>)") +
-            lamp());
+            light());
   expect_blamed(odd_row("alpha", "path"), {"bdpt", "cycles"}, "mirror", "", "0.05");
 }
 
 TEST_F(PlantedFaults, texture_that_is_mirrored) {
   put_scene(walls(R"(<bsdf type="diffuse"><texture name="reflectance" type="checkerboard">
     <rgb name="color0" value="0.8,0.5,0.1"/><rgb name="color1" value="0.1,0.2,0.3"/></texture></bsdf>)") +
-            lamp());
+            light());
   expect_blamed(odd_row("mirrored-texture", "path"), {"bdpt", "volpath"}, "texture");
 }
 

@@ -135,10 +135,10 @@ Image normal_map() {
 /// Of a floor whose normals are bent to `n`: bumps shadow each other by 2 / (1 + sqrt(1 + a^2 tan^2)), a^2 an eighth of
 /// the squared tangent of the bend, the other that of the light's slant (Estevez et al. 2019).
 RgbD of_bent(const Vec3d& n) {
-  const Vec3d to_lamp = normalize(Vec3d{-1, -1, 2});
+  const Vec3d to_light = normalize(Vec3d{-1, -1, 2});
   const auto squared_tangent = [](double cosine) { return 1 / (cosine * cosine) - 1; };
-  const double shadow = 2 / (1 + std::sqrt(1 + squared_tangent(n.z) / 8 * squared_tangent(to_lamp.z)));
-  return lit(2 * dot(n, to_lamp) * shadow);
+  const double shadow = 2 / (1 + std::sqrt(1 + squared_tangent(n.z) / 8 * squared_tangent(to_light.z)));
+  return lit(2 * dot(n, to_light) * shadow);
 }
 RgbD of_normal_map(double x, double y) { return of_bent(kNormals[(y > 0 ? 2u : 0u) + (x > 0 ? 1u : 0u)]); }
 
@@ -193,7 +193,7 @@ std::vector<Probe> probes_with_files() {
        {{"lamp.ies", ies_text()}}},
       {"light",
        "mesh light",
-       grey + lamp(R"(<shape type="ply"><string name="filename" value="tent.ply"/>)", kTentRadiance) + "</scene>",
+       grey + light(R"(<shape type="ply"><string name="filename" value="tent.ply"/>)", kTentRadiance) + "</scene>",
        by_tent,
        {{"tent.ply", ply_text()}}},
       {"light",

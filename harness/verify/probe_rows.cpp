@@ -14,13 +14,13 @@ namespace {
 
 using namespace probe_scenes;
 
-constexpr double kFarLamp = 1.8;  // x of lamps, outside of the view at their height of 1.5
+constexpr double kFarLight = 1.8;  // x of lights, outside of the view at their height of 1.5
 
 SurfacePoint floor_at(double x, double y) { return {{x, y, 0}, {0, 0, 1}}; }
 
 const Vec3d kPoint{0.4, 0.2, 1.5};
 RgbD by_point(double x, double y) { return lit(irradiance_of_point(5, kPoint, floor_at(x, y))); }
-std::string point_lamp() {
+std::string point_light() {
   return R"(<emitter type="point"><point name="position" value="0.4,0.2,1.5"/><rgb name="intensity" value="5"/>
     </emitter>)";
 }
@@ -30,15 +30,15 @@ RgbD by_spot(double x, double y) {
 const Vec3d kToBeam = Vec3d{-1, 0, 2} / std::sqrt(5.0);
 RgbD by_beam(double, double) { return lit(irradiance_of_beam(2, -kToBeam, {0, 0, 1})); }
 RgbD by_rectangle(double x, double y) {
-  const double a = kFarLamp - 0.4, b = kFarLamp + 0.4;
+  const double a = kFarLight - 0.4, b = kFarLight + 0.4;
   const Vec3d corners[] = {{a, 0.4, 1.5}, {b, 0.4, 1.5}, {b, -0.4, 1.5}, {a, -0.4, 1.5}};
   return lit(irradiance_of_polygon(10, corners, floor_at(x, y)));
 }
-RgbD by_ball(double x, double y) { return lit(irradiance_of_sphere(12, {kFarLamp, 0, 1.5}, 0.4, floor_at(x, y))); }
+RgbD by_ball(double x, double y) { return lit(irradiance_of_sphere(12, {kFarLight, 0, 1.5}, 0.4, floor_at(x, y))); }
 RgbD by_disc(double x, double y) {
-  return lit(irradiance_of_parallel_disc(10, 0.45, 1.5, std::hypot(x - kFarLamp, y)));
+  return lit(irradiance_of_parallel_disc(10, 0.45, 1.5, std::hypot(x - kFarLight, y)));
 }
-const Vec3d kTubeEnds[] = {{kFarLamp, -0.5, 1.5}, {kFarLamp, 0.5, 1.5}};
+const Vec3d kTubeEnds[] = {{kFarLight, -0.5, 1.5}, {kFarLight, 0.5, 1.5}};
 RgbD by_tube(double x, double y) {
   return lit(irradiance_of_cylinder(20, kTubeEnds[0], kTubeEnds[1], 0.2, floor_at(x, y)));
 }
@@ -108,31 +108,31 @@ RgbD by_point_in_fisheye(double x, double y) {
 
 /// GGX of roughness 0.3 times its masking, Smith's, of both directions apart, over 4 cosines (Walter et al. 2007): a
 /// reflectance but for Fresnel's.
-double facets(const Vec3d& lamp, const Vec3d& eye) {
+double facets(const Vec3d& light, const Vec3d& eye) {
   constexpr double a2 = 0.3 * 0.3;
   const auto seen = [](double c) { return 2 / (1 + std::sqrt(1 + a2 * (1 - c * c) / (c * c))); };
-  const double h = normalize(lamp + eye).z, below = h * h * (a2 - 1) + 1;
-  return a2 / (kPi * below * below) * seen(lamp.z) * seen(eye.z) / (4 * lamp.z * eye.z);
+  const double h = normalize(light + eye).z, below = h * h * (a2 - 1) + 1;
+  return a2 / (kPi * below * below) * seen(light.z) * seen(eye.z) / (4 * light.z * eye.z);
 }
 Vec3d to_eye(double x, double y) { return normalize(Vec3d{-x, -y, 4}); }
 RgbD by_rough_metal(double x, double y) {
   return RgbD{0.9, 0.6, 0.3} * (facets(kToBeam, to_eye(x, y)) * 2 * kToBeam.z);
 }
 /// What it mirrors; what it lets through falls on nothing.
-double rough_glass(const Vec3d& lamp, const Vec3d& eye) {
-  const double angle = std::acos(std::min(1.0, dot(lamp, normalize(lamp + eye))));
-  return fresnel_reflectance(angle, 1.5).unpolarised() * facets(lamp, eye);
+double rough_glass(const Vec3d& light, const Vec3d& eye) {
+  const double angle = std::acos(std::min(1.0, dot(light, normalize(light + eye))));
+  return fresnel_reflectance(angle, 1.5).unpolarised() * facets(light, eye);
 }
 /// Black but for its coat.
 RgbD by_rough_coat(double x, double y) { return RgbD(rough_glass(kToBeam, to_eye(x, y)) * 2 * kToBeam.z); }
 /// (n + 2) / (2 pi) cos^n of the angle to the mirrored eye (Lafortune and Willems 1994).
-double lobe(const Vec3d& lamp, const Vec3d& eye) {
+double lobe(const Vec3d& light, const Vec3d& eye) {
   constexpr int exponent = 20;
-  const double off_mirror = dot(lamp, Vec3d{-eye.x, -eye.y, eye.z});
+  const double off_mirror = dot(light, Vec3d{-eye.x, -eye.y, eye.z});
   return (exponent + 2) / (2 * kPi) * std::pow(std::max(0.0, off_mirror), exponent);
 }
 /// Of light 1 from the whole upper half what a floor that reflects by `f` throws to the eye: by the midpoint rule.
-template <double (*f)(const Vec3d& lamp, const Vec3d& eye)>
+template <double (*f)(const Vec3d& light, const Vec3d& eye)>
 double under_bright_ceiling(double x, double y) {
   constexpr int steps = 150, eyes = 9;
   constexpr double farthest = 0.06;  // 1 - cosine of the eye in the picture's corner
@@ -177,26 +177,26 @@ std::vector<Probe> lights() {
            R"("/><rotate y="1" angle="180"/><translate x="1.8" z="1.5"/></transform>)";
   };
   return {
-      {"light", "point light", grey + point_lamp() + "</scene>", by_point},
+      {"light", "point light", grey + point_light() + "</scene>", by_point},
       {"light", "spot light", grey + R"(<emitter type="spot"><rgb name="intensity" value="9"/>
         <float name="cutoff_angle" value="25"/><float name="beam_width" value="10"/><transform name="to_world">
         <lookat origin="0.1,0,3" target="0.1,0,0" up="0,1,0"/></transform></emitter></scene>)",
        by_spot},
       {"light", "directional light", grey + beam() + "</scene>", by_beam},
-      {"light", "rectangular light", grey + lamp(far("rectangle", "0.4"), 10) + "</scene>", by_rectangle},
+      {"light", "rectangular light", grey + light(far("rectangle", "0.4"), 10) + "</scene>", by_rectangle},
       {"light", "spherical light",
        grey +
-           lamp(R"(<shape type="sphere"><point name="center" value="1.8,0,1.5"/>
+           light(R"(<shape type="sphere"><point name="center" value="1.8,0,1.5"/>
         <float name="radius" value="0.4"/>)",
-                12) +
+                 12) +
            "</scene>",
        by_ball},
-      {"light", "disk light", grey + lamp(far("disk", "0.45"), 10) + "</scene>", by_disc},
+      {"light", "disk light", grey + light(far("disk", "0.45"), 10) + "</scene>", by_disc},
       {"light", "cylindrical light",
        grey +
-           lamp(R"(<shape type="cylinder"><point name="p0" value="1.8,-0.5,1.5"/>
+           light(R"(<shape type="cylinder"><point name="p0" value="1.8,-0.5,1.5"/>
         <point name="p1" value="1.8,0.5,1.5"/><float name="radius" value="0.2"/>)",
-                20) +
+                 20) +
            "</scene>",
        by_tube},
       {"light", "constant sky", grey + sky("1,0.8,0.6") + "</scene>", under_sky},
@@ -303,7 +303,7 @@ std::vector<Probe> textures() {
 
 /// The same floor in the same light through every camera.
 std::vector<Probe> cameras() {
-  const std::string scenery = floor_of(diffuse("0.5")) + point_lamp() + "</scene>";
+  const std::string scenery = floor_of(diffuse("0.5")) + point_light() + "</scene>";
   const auto with = [&](const std::string& type, const std::string& parameters, const std::string& scale = "") {
     return R"(<scene version="3.0.0"><integrator type="path"/><sensor type=")" + type + "\">" + parameters +
            R"(<transform name="to_world">)" + scale + look_down() + "</transform>" + film() + scenery;

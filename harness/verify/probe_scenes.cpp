@@ -29,7 +29,7 @@ std::string floor_of(const std::string& bsdf) {
   return R"(<shape type="rectangle"><transform name="to_world"><scale value="4"/></transform>)" + bsdf + "</shape>";
 }
 
-std::string lamp(const std::string& shape, double radiance) {
+std::string light(const std::string& shape, double radiance) {
   return shape + diffuse("0") + R"(<emitter type="area"><rgb name="radiance" value=")" + std::to_string(radiance) +
          R"("/></emitter></shape>)";
 }
@@ -39,10 +39,10 @@ std::string sky(const std::string& radiance) {
 }
 
 std::string wall_of_light(double z) {
-  return lamp(R"(<shape type="rectangle"><transform name="to_world"><scale value="2000"/><rotate y="1" angle="180"/>
+  return light(R"(<shape type="rectangle"><transform name="to_world"><scale value="2000"/><rotate y="1" angle="180"/>
     <translate z=")" +
-                  std::to_string(z) + R"("/></transform>)",
-              1);
+                   std::to_string(z) + R"("/></transform>)",
+               1);
 }
 
 RgbD lit(double irradiance) { return RgbD(kAlbedo * irradiance / kPi); }

@@ -22,7 +22,7 @@ std::string diffuse(const std::string& albedo);
 std::string mirror(const std::string& reflectance);
 std::string floor_of(const std::string& bsdf);
 /// `shape` is a shape's beginning; black, shines on its front.
-std::string lamp(const std::string& shape, double radiance);
+std::string light(const std::string& shape, double radiance);
 std::string sky(const std::string& radiance);
 /// All that is seen through what is in front of it.
 std::string wall_of_light(double z = 2);

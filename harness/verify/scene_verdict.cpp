@@ -321,7 +321,7 @@ class SceneJudge {
       return sides_[side].engine == nullptr || sides_[side].engine->is_ours;
     };
     if (!std::ranges::all_of(odd.believed, is_ours) || std::ranges::all_of(odd.odd, is_ours)) return;
-    std::string note = "those who agree share materials, lamps and textures: a mistake there would look the same";
+    std::string note = "those who agree share materials, lights and textures: a mistake there would look the same";
     for (const VerifyProbe& probe : probes_)
       if (probe.verdict == "wrong") note += "; probe: " + probe.sentence;
     out_.notes.push_back(note);

@@ -27,7 +27,7 @@ std::string after(const Words& words, const std::string& option) {
   return at == words.end() || at + 1 == words.end() ? "" : *(at + 1);
 }
 
-/// Lamps that are no shapes alone: those are seen as bright as they are.
+/// Lights that are no shapes alone: those are seen as bright as they are.
 void brighten(SceneDescription& scene) {
   for (EmitterDescription& emitter : scene.emitters) {
     if (auto* point = std::get_if<PointLightDescription>(&emitter.light)) point->intensity = point->intensity * 1.02;

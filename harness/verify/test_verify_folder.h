@@ -60,12 +60,12 @@ class VerifyTest : public FolderTest {
     return rectangle(R"(<scale value="2"/>)", back) +
            rectangle(R"(<rotate y="1" angle="90"/><translate x="-1.2" z="1"/>)", diffuse("0.6,0.3,0.2"));
   }
-  static std::string point_lamp() {
+  static std::string point_light() {
     return R"(<emitter type="point"><point name="position" value="0.5,0.4,1.4"/><rgb name="intensity" value="4"/>
       </emitter>)";
   }
   /// Above and to the right, outside of the view.
-  static std::string lamp() {
+  static std::string light() {
     return rectangle(R"(<scale value="0.7"/><rotate x="1" angle="120"/><translate x="0.6" y="2.4" z="1.6"/>)",
                      glow("9,8,7"));
   }

@@ -23,7 +23,7 @@ class VerbVerify : public VerifyTest {
 
   void SetUp() override {
     VerifyTest::SetUp();
-    put_scene(walls(diffuse("0.5")) + lamp());
+    put_scene(walls(diffuse("0.5")) + light());
     setenv("PHOTONPROOF_CACHE", path("cache").c_str(), 1);
   }
   void TearDown() override {
@@ -135,7 +135,7 @@ TEST_F(VerbVerify, light_tracing_is_no_witness_of_a_plane_without_end_under_a_sk
 }
 
 TEST_F(VerbVerify, camera_paths_are_set_aside_where_they_cannot_show_a_caustic) {
-  put_scene(walls(diffuse("0.5")) + glass_ball() + point_lamp());
+  put_scene(walls(diffuse("0.5")) + glass_ball() + point_light());
   verify({"--engine", "path", "--engine", "volpath", "--engine", "bdpt"});
   const VerifyScene scene = verified();
   EXPECT_EQ(scene.verdict, "inconclusive") << scene.sentence;
@@ -157,7 +157,7 @@ TEST_F(VerbVerify, who_may_be_off_by_half_witnesses_nothing) {
   EXPECT_EQ(verdict("0.5"), "undecided");
 }
 
-/// A reference is kept that the scene's lamp has outgrown by 5 %, though its content is the scene's.
+/// A reference is kept that the scene's light has outgrown by 5 %, though its content is the scene's.
 TEST_F(VerbVerify, stored_reference_that_is_off_to_one_side_is_stale) {
   const ProcessOutcome made = run_process(
       {sound, "reference", path("scene.xml"), "--size", "24x24", "--standard-error", "0.02", "--commit", "--quiet"});
@@ -233,7 +233,7 @@ TEST_F(VerbVerify, second_run_in_a_folder_is_refused_while_the_first_is_at_work)
 }
 
 TEST_F(VerbVerify, two_runs_on_one_cache_of_probes_agree_and_a_third_takes_what_they_found) {
-  put_scene(walls(diffuse("0.5")) + point_lamp());
+  put_scene(walls(diffuse("0.5")) + point_light());
   const auto run = [&](const std::string& out) {
     return run_process({sound, "verify", path("scene.xml"), "-o", path(out), "--size", "24x24", "--seconds", "3",
                         "--engine", "path", "--engine", "bdpt"},
@@ -248,7 +248,7 @@ TEST_F(VerbVerify, two_runs_on_one_cache_of_probes_agree_and_a_third_takes_what_
   EXPECT_FALSE(has("out3/probes"));
   const auto probes = [&](const std::string& out) { return read_verify_record(path(out + "/verify.json")).probes; };
   const auto of_second = probes("out2"), of_third = probes("out3");
-  ASSERT_GE(of_third.size(), 4u);  // a lamp, a material and a camera by two engines
+  ASSERT_GE(of_third.size(), 4u);  // a light, a material and a camera by two engines
   ASSERT_EQ(of_third.size(), of_second.size());
   for (std::size_t i = 0; i < of_third.size(); ++i) EXPECT_EQ(of_third[i].gain, of_second[i].gain);
 }

@@ -16,7 +16,7 @@ struct VerifyEngine {
   Engine row;
   std::string sampling;     ///< whose code finds its light paths: engines of one share mistakes
   std::string budget_kind;  ///< "spp", "quality" ...
-  bool is_ours = false;     ///< an integrator of this program: it shares materials, lamps and textures with the others
+  bool is_ours = false;     ///< an integrator of this program: it shares materials, lights and textures with the others
   EngineVersion version;    ///< with the problem where it is not installed
   bool counts_samples() const { return budget_kind == "spp"; }
 };

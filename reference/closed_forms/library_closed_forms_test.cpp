@@ -70,52 +70,53 @@ RgbD mean_of_plane(const SceneDescription& scene, const std::function<double(con
       n);
 }
 
-const ShapeDescription& lamp_of(const SceneDescription& scene) {
+const ShapeDescription& light_of(const SceneDescription& scene) {
   return *std::find_if(scene.shapes.begin(), scene.shapes.end(), [](const auto& s) { return s.radiance.has_value(); });
 }
 double radiance_of(const ShapeDescription& shape) { return constant(*shape.radiance).x; }
 
 TEST(library_mean, of_light_sphere) {
   const auto scene = load("light-sphere");
-  const ShapeDescription& lamp = lamp_of(scene);
-  const auto& sphere = std::get<SphereDescription>(lamp.geometry);
+  const ShapeDescription& area_light = light_of(scene);
+  const auto& sphere = std::get<SphereDescription>(area_light.geometry);
   expect_stated_mean("light-sphere", mean_of_plane(scene, [&](const SurfacePoint& at) {
-                       return irradiance_of_sphere(radiance_of(lamp), sphere.center, sphere.radius, at);
+                       return irradiance_of_sphere(radiance_of(area_light), sphere.center, sphere.radius, at);
                      }));
 }
 
 TEST(library_mean, of_light_disk) {
   const auto scene = load("light-disk");
-  const ShapeDescription& lamp = lamp_of(scene);
-  const Vec3d middle = lamp.to_world.point({0, 0, 0});
-  const double radius = length(lamp.to_world.vector({1, 0, 0}));
-  EXPECT_LT(lamp.to_world.vector({0, 0, 1}).y, 0) << "faces down";
+  const ShapeDescription& area_light = light_of(scene);
+  const Vec3d middle = area_light.to_world.point({0, 0, 0});
+  const double radius = length(area_light.to_world.vector({1, 0, 0}));
+  EXPECT_LT(area_light.to_world.vector({0, 0, 1}).y, 0) << "faces down";
   expect_stated_mean("light-disk", mean_of_plane(scene, [&](const SurfacePoint& at) {
                        const Vec3d off = middle - at.position;
-                       return irradiance_of_parallel_disc(radiance_of(lamp), radius, off.y, std::hypot(off.x, off.z));
+                       return irradiance_of_parallel_disc(radiance_of(area_light), radius, off.y,
+                                                          std::hypot(off.x, off.z));
                      }));
 }
 
 TEST(library_mean, of_light_cylinder) {
   const auto scene = load("light-cylinder");
-  const ShapeDescription& lamp = lamp_of(scene);
-  const auto& tube = std::get<CylinderDescription>(lamp.geometry);
+  const ShapeDescription& area_light = light_of(scene);
+  const auto& tube = std::get<CylinderDescription>(area_light.geometry);
   const auto irradiance = [&](const SurfacePoint& at) {
-    return irradiance_of_cylinder(radiance_of(lamp), tube.p0, tube.p1, tube.radius, at);
+    return irradiance_of_cylinder(radiance_of(area_light), tube.p0, tube.p1, tube.radius, at);
   };
   expect_stated_mean("light-cylinder", mean_of_plane(scene, irradiance));
 }
 
 TEST(library_mean, of_light_mesh) {
   const auto scene = load("light-mesh");
-  const ShapeDescription& lamp = lamp_of(scene);
-  const TriangleMesh& mesh = *std::get<MeshDescription>(lamp.geometry).mesh;
+  const ShapeDescription& area_light = light_of(scene);
+  const TriangleMesh& mesh = *std::get<MeshDescription>(area_light.geometry).mesh;
   expect_stated_mean("light-mesh", mean_of_plane(scene, [&](const SurfacePoint& at) {
                        double sum = 0;
                        for (const auto& t : mesh.triangles) {
                          const std::array<Vec3d, 3> corners{Vec3d(mesh.positions[t[0]]), Vec3d(mesh.positions[t[1]]),
                                                             Vec3d(mesh.positions[t[2]])};
-                         sum += irradiance_of_polygon(radiance_of(lamp), corners, at);
+                         sum += irradiance_of_polygon(radiance_of(area_light), corners, at);
                        }
                        return sum;
                      }));
@@ -147,7 +148,7 @@ TEST(library_mean, of_light_directional_and_constant) {
 TEST(library_mean, of_light_envmap) {
   const auto scene = load("light-envmap");
   const auto& sky = std::get<EnvmapDescription>(scene.emitters.at(0).light);
-  // Mitsuba's look-up: the first row is the zenith, the last the nadir, linear between. E = 2 pi int L cos sin dt, L
+  // Mitsuba's gather: the first row is the zenith, the last the nadir, linear between. E = 2 pi int L cos sin dt, L
   // the mean along the horizon, by the midpoint rule.
   const Image& image = *sky.image;
   const auto row_mean = [&](int y) {
@@ -170,8 +171,8 @@ TEST(library_mean, of_light_envmap) {
 
 TEST(library_mean, of_light_ies) {
   const auto scene = load("light-ies");
-  const auto& lamp = std::get<IesLightDescription>(scene.emitters.at(0).light);
-  const IesProfile& profile = *lamp.profile;
+  const auto& area_light = std::get<IesLightDescription>(scene.emitters.at(0).light);
+  const IesProfile& profile = *area_light.profile;
   ASSERT_EQ(profile.horizontal_degrees.size(), 1u);
   const auto candela = [&](double degrees) {
     const double step = 5;
@@ -180,11 +181,11 @@ TEST(library_mean, of_light_ies) {
     return profile.candela[i] * (1 - part) + profile.candela[i + 1] * part;
   };
   EXPECT_NEAR(candela(60), 250, 1e-9) << "1000 cos^2";
-  const Vec3d at_lamp = lamp.to_world.point({0, 0, 0}), nadir = lamp.to_world.vector({0, 0, -1});
+  const Vec3d at_light = area_light.to_world.point({0, 0, 0}), nadir = area_light.to_world.vector({0, 0, -1});
   EXPECT_NEAR(nadir.y, -1, 1e-12);
   expect_stated_mean("light-ies", mean_of_plane(scene, [&](const SurfacePoint& at) {
-                       const double angle = std::acos(dot(normalize(at.position - at_lamp), nadir)) * 180 / pi;
-                       return irradiance_of_point(lamp.intensity.x * candela(angle), at_lamp, at);
+                       const double angle = std::acos(dot(normalize(at.position - at_light), nadir)) * 180 / pi;
+                       return irradiance_of_point(area_light.intensity.x * candela(angle), at_light, at);
                      }));
 }
 

@@ -24,7 +24,8 @@ namespace {
 
 constexpr int most_bounces = 1024;  // that Cycles takes
 
-/// Cycles counts what comes after light has left its lamp and met a surface: none is direct light, a path of two edges.
+/// Cycles counts what comes after light has left its light and met a surface: none is direct light, a path of two
+/// edges.
 int bounces_of(const CyclesScript& script) {
   const SceneDescription& scene = script.scene();
   const int depth = scene.integrator.limits().max_depth;
@@ -37,9 +38,9 @@ int bounces_of(const CyclesScript& script) {
   return std::min(depth - 2, most_bounces);
 }
 
-/// Cycles' paths start at the camera: light of a lamp without size that mirrors or glass throw onto what is rough, or
+/// Cycles' paths start at the camera: light of a light without size that mirrors or glass throw onto what is rough, or
 /// into fog, they never find.
-void check_lamps(const CyclesScript& script) {
+void check_lights(const CyclesScript& script) {
   const SceneDescription& scene = script.scene();
   bool clear = false, chance = false, wide = !scene.media.empty();
   const auto look_at = [&](const ShapeDescription& shape) {
@@ -57,12 +58,13 @@ void check_lamps(const CyclesScript& script) {
     if (small && chance)
       script.refuse(
           emitter.loc,
-          "a lamp without size beside rough metal with an index, rough glass, plastic or phong: Cycles, which "
-          "has no such lobes, meets lamps from them by chance only");
+          "a light without size beside rough metal with an index, rough glass, plastic or phong: Cycles, which "
+          "has no such lobes, meets lights from them by chance only");
     if (small && clear && wide)
-      script.refuse(emitter.loc,
-                    "a lamp without size beside mirrors or glass: what they throw of its light can be sampled from the "
-                    "lamp only, and Cycles' paths start at the camera");
+      script.refuse(
+          emitter.loc,
+          "a light without size beside mirrors or glass: what they throw of its light can be sampled from the "
+          "light only, and Cycles' paths start at the camera");
   }
 }
 
@@ -125,7 +127,7 @@ CyclesExport export_cycles(const SceneDescription& scene, const CyclesOptions& o
   result.batches = cycles_batches(result.samples, options.seed);
 
   CyclesScript script(scene, options.stem);
-  check_lamps(script);
+  check_lights(script);
   script.line("clear()");
   script.line("settings(" + std::to_string(result.width) + ", " + std::to_string(result.height) + ", " +
               std::to_string(result.threads) + ", " + std::to_string(bounces_of(script)) + ", " + filter_py(script) +

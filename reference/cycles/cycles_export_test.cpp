@@ -40,7 +40,7 @@ const std::string kHead =
     "camera(\"perspective\", ((-1, 0, 0), (0, 1, 0), (-0, -0, -1), (0, 0, 0)), 0.5, 50, (0.9999999999999999, "
     "0.7499999999999999))\n";
 
-TEST(cycles_export, lamp_and_wall_as_one_writes_them_by_hand) {
+TEST(cycles_export, light_and_wall_as_one_writes_them_by_hand) {
   const std::string scene =
       kCamera +
       "<shape type='rectangle'><transform name='to_world'><translate z='4'/></transform><boolean name='flip_normals' "
@@ -119,7 +119,7 @@ TEST(cycles_export, media_are_what_scatters_and_what_absorbs) {
             "g.clear(), lambda g: g.medium((3, 1.5, 0), (3, 4.5, 6), 0.7)");
 }
 
-TEST(cycles_export, lenses_filters_depths_and_hidden_lamps_are_told) {
+TEST(cycles_export, lenses_filters_depths_and_hidden_lights_are_told) {
   const std::string lens =
       "<integrator type='path'><integer name='max_depth' value='5'/><boolean name='hide_emitters' value='true'/>"
       "</integrator><sensor type='thinlens'><float name='fov' value='90'/><float name='near_clip' value='0.5'/>"
@@ -137,17 +137,17 @@ TEST(cycles_export, lenses_filters_depths_and_hidden_lamps_are_told) {
 }
 
 // The scene's box is 2 x 2 x 4 with the camera in it, its diagonal sqrt(24): squares of at most (sqrt(24) / 100 /
-// sqrt(2))^(1/3) = 0.326, so 7 of them across 2. A lamp as wide as 30 times the thinnest side of everything is not
+// sqrt(2))^(1/3) = 0.326, so 7 of them across 2. A light as wide as 30 times the thinnest side of everything is not
 // aimed at.
-TEST(cycles_export, rectangular_lamps_are_squares_and_wide_ones_are_met_by_chance) {
-  const auto lamp = [](const std::string& scale) {
+TEST(cycles_export, rectangular_lights_are_squares_and_wide_ones_are_met_by_chance) {
+  const auto light = [](const std::string& scale) {
     return exported(kCamera + "<shape type='rectangle'><transform name='to_world'><scale value='" + scale +
                     "'/><translate z='4'/></transform><emitter type='area'/></shape>")
         .text;
   };
-  EXPECT_NE(lamp("1").find("form(\"rectangle\", False, 7)"), std::string::npos) << lamp("1");
-  EXPECT_EQ(lamp("1").find("sampled=False"), std::string::npos);
-  EXPECT_NE(lamp("61").find(", sampled=False)"), std::string::npos) << lamp("61");
+  EXPECT_NE(light("1").find("form(\"rectangle\", False, 7)"), std::string::npos) << light("1");
+  EXPECT_EQ(light("1").find("sampled=False"), std::string::npos);
+  EXPECT_NE(light("61").find(", sampled=False)"), std::string::npos) << light("61");
 }
 
 TEST(cycles_export, spots_and_skies_are_told_by_their_angles_and_axes) {

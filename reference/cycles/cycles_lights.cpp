@@ -38,7 +38,7 @@ Transform along_minus_z(const Vec3d& direction) {
   return t;
 }
 
-struct Lamp {
+struct Light {
   CyclesScript& script;
   const EmitterDescription& emitter;
   std::string name;
@@ -107,7 +107,7 @@ void write_lights(CyclesScript& script) {
   for (const EmitterDescription& emitter : scene.emitters) {
     const std::string name = "light_" + std::to_string(number++);
     script.explain(name + " of " + scene.where(emitter.loc));
-    std::visit(Lamp{script, emitter, name, hides}, emitter.light);
+    std::visit(Light{script, emitter, name, hides}, emitter.light);
   }
   write_fog(script);
 }

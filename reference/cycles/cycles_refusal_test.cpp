@@ -8,7 +8,7 @@
 namespace photonproof::inline reference_cycles {
 namespace {
 
-const std::string kLamp = "<emitter type='constant'/>\n";
+const std::string kLight = "<emitter type='constant'/>\n";
 
 /// What is said about a scene of a camera in line 1, `content` from line 2 on.
 std::string refusal(const std::string& content, const std::string& camera = kCamera) {
@@ -22,7 +22,7 @@ const std::string kCoat =
     "viewer's "
     "alone";
 
-std::string ball(const std::string& bsdf) { return "<shape type='sphere'>" + bsdf + "</shape>" + kLamp; }
+std::string ball(const std::string& bsdf) { return "<shape type='sphere'>" + bsdf + "</shape>" + kLight; }
 
 TEST(cycles_refuses, roughness_that_differs_by_place_or_direction) {
   for (const auto& [type, what] : {std::pair<std::string, std::string>{"roughconductor", "a rough conductor"},
@@ -62,21 +62,21 @@ TEST(cycles_refuses, lights_it_has_no_equal_of) {
                 "a sun and its sky: Cycles' sky is of another model; an envmap and a directional light can be written");
 }
 
-TEST(cycles_refuses, lamps_that_its_paths_cannot_find) {
-  const std::string lamp = "<emitter type='point'/>",
+TEST(cycles_refuses, lights_that_its_paths_cannot_find) {
+  const std::string light = "<emitter type='point'/>",
                     mirror = "<shape type='sphere'><bsdf type='conductor'/></shape>\n";
   EXPECT_EQ(
-      refusal("<shape type='cube'/>" + mirror + lamp),
+      refusal("<shape type='cube'/>" + mirror + light),
       "3:1:" + kNot +
-          "a lamp without size beside mirrors or glass: what they throw of its light can be sampled from the lamp "
+          "a light without size beside mirrors or glass: what they throw of its light can be sampled from the light "
           "only, and Cycles' paths start at the camera");
-  EXPECT_EQ(refusal("<shape type='cube'/>" + lamp), "no refusal");
-  EXPECT_EQ(refusal(mirror + lamp), "no refusal") << "nothing that a lamp lights";
+  EXPECT_EQ(refusal("<shape type='cube'/>" + light), "no refusal");
+  EXPECT_EQ(refusal(mirror + light), "no refusal") << "nothing that a light lights";
   EXPECT_EQ(
-      refusal("<shape type='cube'><bsdf type='plastic'/></shape>\n" + lamp),
+      refusal("<shape type='cube'><bsdf type='plastic'/></shape>\n" + light),
       "3:1:" + kNot +
-          "a lamp without size beside rough metal with an index, rough glass, plastic or phong: Cycles, which has "
-          "no such lobes, meets lamps from them by chance only");
+          "a light without size beside rough metal with an index, rough glass, plastic or phong: Cycles, which has "
+          "no such lobes, meets lights from them by chance only");
 }
 
 TEST(cycles_refuses, media_that_overlap) {
@@ -84,10 +84,10 @@ TEST(cycles_refuses, media_that_overlap) {
     return "<shape type='cube'><transform name='to_world'><translate x='" + x +
            "'/></transform><bsdf type='null'/><medium type='homogeneous' name='" + side + "'/></shape>\n";
   };
-  EXPECT_EQ(refusal(body("0") + body("1") + kLamp),
+  EXPECT_EQ(refusal(body("0") + body("1") + kLight),
             "3:1:" + kNot + "a medium where another is: Cycles adds up media that overlap");
-  EXPECT_EQ(refusal(body("0") + body("3") + kLamp), "no refusal");
-  EXPECT_EQ(refusal(body("0", "exterior") + kLamp),
+  EXPECT_EQ(refusal(body("0") + body("3") + kLight), "no refusal");
+  EXPECT_EQ(refusal(body("0", "exterior") + kLight),
             "2:1:" + kNot + "a medium before a surface: Cycles' volumes are inside of bodies");
 }
 
@@ -96,7 +96,7 @@ TEST(cycles_refuses, path_lengths_that_it_cannot_cut_at) {
     return "<integrator type='path'><integer name='max_depth' value='" + std::to_string(n) + "'/></integrator>";
   };
   const std::string pane = ball("<bsdf type='thindielectric'/>");
-  EXPECT_EQ(refusal(depth(1) + kLamp), "2:1:" + kNot + "max_depth 1: Cycles has no end of paths before direct light");
+  EXPECT_EQ(refusal(depth(1) + kLight), "2:1:" + kNot + "max_depth 1: Cycles has no end of paths before direct light");
   EXPECT_EQ(refusal(depth(5) + pane),
             "2:1:" + kNot + "max_depth with a thin dielectric: Cycles does not count what passes it as part of a path");
   EXPECT_EQ(refusal(depth(-1) + pane), "no refusal");
@@ -106,13 +106,13 @@ TEST(cycles_refuses, cameras_and_films) {
   const auto camera = [](const std::string& filter) {
     return "<sensor type='perspective'><film type='hdrfilm'>" + filter + "</film></sensor>\n";
   };
-  EXPECT_EQ(refusal(kLamp, camera("<rfilter type='tent'/>")),
+  EXPECT_EQ(refusal(kLight, camera("<rfilter type='tent'/>")),
             "1:24:" + kNot + "a tent filter: Cycles has none; a box or a Gaussian can be written");
-  EXPECT_EQ(refusal(kLamp, camera("<rfilter type='gaussian'><float name='stddev' value='3'/></rfilter>")),
+  EXPECT_EQ(refusal(kLight, camera("<rfilter type='gaussian'><float name='stddev' value='3'/></rfilter>")),
             "1:24:" + kNot + "a Gaussian filter of a deviation above 2.5 pixels: Cycles has none so wide");
-  EXPECT_EQ(refusal(kLamp, camera("<integer name='crop_width' value='4'/><integer name='crop_height' value='4'/>")),
+  EXPECT_EQ(refusal(kLight, camera("<integer name='crop_width' value='4'/><integer name='crop_height' value='4'/>")),
             "no refusal");
-  EXPECT_EQ(refusal(kLamp,
+  EXPECT_EQ(refusal(kLight,
                     "<sensor type='fisheye'><film type='hdrfilm'><integer name='width' value='9'/></film>"
                     "</sensor>\n"),
             "1:24:" + kNot + "a fisheye camera's picture that is not square, or has another filter than box");
@@ -124,7 +124,7 @@ TEST(cycles_refuses, textures_that_are_mirrored_beyond_their_edges) {
       "value='rgb8.png'/><string name='wrap_mode' value='mirror'/></texture></bsdf></shape>";
   const std::string folder = PHOTONPROOF_CORPORA "/png_corpus/";
   const SceneDescription scene =
-      parse_scene_text("<scene version='3.0.0'>" + kCamera + wall + kLamp + "</scene>", folder + "scene.xml", {});
+      parse_scene_text("<scene version='3.0.0'>" + kCamera + wall + kLight + "</scene>", folder + "scene.xml", {});
   try {
     export_cycles(scene, {});
     FAIL();

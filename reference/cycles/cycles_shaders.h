@@ -20,7 +20,7 @@ struct CyclesMaterial {
   std::optional<Colour> radiance;
   std::optional<MediumIndex> interior;
   bool leaning = false;  ///< its shading normals are not the surface's own
-  bool sampled = true;   ///< the lamp is aimed at, and not only found by chance; either is unbiased
+  bool sampled = true;   ///< the light is aimed at, and not only found by chance; either is unbiased
   friend bool operator==(const CyclesMaterial&, const CyclesMaterial&) = default;
 };
 
@@ -34,7 +34,7 @@ bool is_nothing(const SceneDescription& scene, BsdfIndex index);
 struct CyclesTraits {
   bool pane = false;    ///< a thin dielectric, whose straight light Cycles does not count as part of a path
   bool clear = false;   ///< mirrors or refracts in one direction alone
-  bool chance = false;  ///< Cycles draws a direction and cannot aim at lamps
+  bool chance = false;  ///< Cycles draws a direction and cannot aim at lights
   bool wide = false;    ///< scatters into many
 };
 CyclesTraits traits_of(const SceneDescription& scene, BsdfIndex index);

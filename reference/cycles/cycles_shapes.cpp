@@ -184,7 +184,7 @@ class Shapes {
   const auto& model_of(const Placed& placed) const { return scene_.bsdfs[placed.shape->bsdf.value].model; }
 
   /// Where the square of a triangle's longest edge is above that of (distance from its plane / twice its area), Blender
-  /// 3.4 samples it by solid angle, and loses light: -0.75 % of what the lamp of `roughness` does in two triangles,
+  /// 3.4 samples it by solid angle, and loses light: -0.75 % of what the light of `roughness` does in two triangles,
   /// -0.2 % in 4 x 4 squares, nothing that shows in 16 x 16. Squares of edge a are sampled by area from distances of
   /// a^3 sqrt(2) on; here from a hundredth of the scene's diagonal.
   int cells_of(const Transform& to_world) const {
@@ -193,8 +193,8 @@ class Shapes {
     return static_cast<int>(std::clamp(std::ceil(side / edge), 1.0, 64.0));
   }
 
-  /// Cycles' choice of directions towards a triangle loses light where that is wide and near: -0.1 % where a lamp of
-  /// `parallel-planes` is 200 times as wide as it is far, -1 % at 2000 times. Such a lamp is easily met by chance.
+  /// Cycles' choice of directions towards a triangle loses light where that is wide and near: -0.1 % where a light of
+  /// `parallel-planes` is 200 times as wide as it is far, -1 % at 2000 times. Such a light is easily met by chance.
   bool can_be_aimed_at(const Placed& placed) const {
     if (!placed.shape->radiance) return true;
     constexpr double too_wide = 30;
@@ -213,7 +213,7 @@ class Shapes {
   }
 
   Form form_of(const Placed& placed, const SphereDescription& sphere) const {
-    // Facets of a lamp are lamps of their own, of which a scene may have many.
+    // Facets of a light are lights of their own, of which a scene may have many.
     const std::optional<Colour>& radiance = placed.shape->radiance;
     if (radiance && std::holds_alternative<RgbD>(*radiance) &&
         std::holds_alternative<DiffuseDescription>(model_of(placed)))

@@ -109,7 +109,7 @@ TEST(sky_lights, becomes_lights_where_nothing_mirrors_and_is_then_hidden_from_ra
   EXPECT_EQ(constant.find("background{rgb 0}"), std::string::npos);
 }
 
-TEST(povray_lamps, that_fill_half_the_sky_of_what_they_light_are_left_to_radiosity) {
+TEST(povray_lights, that_fill_half_the_sky_of_what_they_light_are_left_to_radiosity) {
   EXPECT_EQ(sdl_of("parallel-planes").find("light_source{"), std::string::npos);
   EXPECT_NE(sdl_of("light-area").find("light_source{"), std::string::npos);
 }

@@ -74,7 +74,7 @@ double thickness(const PovCamera& camera, const PovSphere& sphere, int, int heig
 
 template <class Other>
 double thickness(const PovCamera&, const Other&, int, int) {
-  return INFINITY;  // no small lamp
+  return INFINITY;  // no small light
 }
 
 /// Whether some of a polygon, and not only an edge of it, is in the region.
@@ -178,7 +178,7 @@ bool can_be_clear_from_behind(const PovSurface& surface, const PovCamera& camera
 
 }  // namespace
 
-double thinnest_lamp(const PovCamera& camera, const PovScene& scene, int width, int height) {
+double thinnest_light(const PovCamera& camera, const PovScene& scene, int width, int height) {
   double thinnest = INFINITY;
   for (const PovSurface& surface : scene.surfaces) {
     if (surface.emission != PovSurface::Emission::spots) continue;

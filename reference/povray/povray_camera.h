@@ -20,10 +20,10 @@ std::string camera_sdl(const PovCamera& camera, double scale, int samples);
 /// " clipped_by{...}" that leaves what is between the clip planes.
 std::string clip_sdl(const PovCamera& camera, double scale);
 
-/// How many pixels across the thinnest of the small lamps is in the picture (PovSurface::Emission::spots), as a
+/// How many pixels across the thinnest of the small lights is in the picture (PovSurface::Emission::spots), as a
 /// parallelogram's image is no rectangle: its area over its longest diagonal or side. Infinite where there is none in
 /// front of the camera.
-double thinnest_lamp(const PovCamera& camera, const PovScene& scene, int width, int height);
+double thinnest_light(const PovCamera& camera, const PovScene& scene, int width, int height);
 
 /// Makes the picture what it would be with the clip planes, or proves that it already is. A surface that the near plane
 /// hides is made clear from behind (`clear_back`) when the camera sees nothing but its back and nothing else is behind

@@ -22,19 +22,19 @@ const std::vector<std::string> through_centres{"-A"};
 /// 2^halvings cells across a pixel: the trapezoidal rule over the pixel, in linear light and without clipping.
 std::vector<std::string> refined(int halvings) { return {"+AM2", "+A0.1", "+R" + std::to_string(halvings), "-J"}; }
 
-bool shows_bright_lamps(const PovScene& scene, const PovPlan& plan) {
-  return plan.shows_lamps && !scene.hides_lamps &&
+bool shows_bright_lights(const PovScene& scene, const PovPlan& plan) {
+  return plan.shows_lights && !scene.hides_lights &&
          std::any_of(scene.surfaces.begin(), scene.surfaces.end(),
                      [](const PovSurface& surface) { return surface.emission == PovSurface::Emission::spots; });
 }
 
-/// Where lamps are seen cells are fine: the lamp of `cornell` is 12 pixels wide and 40 times as bright as the mean, and
-/// 1/32 of a pixel at its edges made the image's mean 0.45 % too high.
-/// Where every ray's end is lit by many, edges are coarse: `many-lights` as well in two fifths of the time.
-constexpr int ordinary_halvings = 5, lamp_halvings = 7, many_lights_halvings = 2;
+/// Where lights are seen cells are fine: the light of `cornell` is 12 pixels wide and 40 times as bright as the mean,
+/// and 1/32 of a pixel at its edges made the image's mean 0.45 % too high. Where every ray's end is lit by many, edges
+/// are coarse: `many-lights` as well in two fifths of the time.
+constexpr int ordinary_halvings = 5, light_halvings = 7, many_lights_halvings = 2;
 
 int halvings(const PovScene& scene, const PovPlan& plan) {
-  if (shows_bright_lamps(scene, plan)) return lamp_halvings;
+  if (shows_bright_lights(scene, plan)) return light_halvings;
   return plan.point_lights && has_many_lights(scene) ? many_lights_halvings : ordinary_halvings;
 }
 
@@ -66,10 +66,10 @@ void write_sdl(const PovrayExport& scene, const std::filesystem::path& target) {
 
 namespace {
 
-/// A lamp that is thinner than this many pixels may lie between the corners that POV-Ray samples first, which then see
+/// A light that is thinner than this many pixels may lie between the corners that POV-Ray samples first, which then see
 /// no edge to refine; and what is seen of it is far brighter than all else.
-constexpr double thin_lamp = 1.5;
-constexpr int finest_lamp_grid = 16;
+constexpr double thin_light = 1.5;
+constexpr int finest_light_grid = 16;
 
 /// Rays through a lens in every sub-pixel. POV-Ray spreads them over it, too, so that without a filter no grid is
 /// needed: 256 in each of 4 x 4 took `lens` minutes.
@@ -79,7 +79,7 @@ int lens_samples(int grid) { return grid <= 1 ? 256 : 37; }
 constexpr int lens_filter_grid = 4;
 
 /// Facets that mirror or refract, which may show something else between two corners that look alike: without a grid
-/// for its lamp 4 % of a picture of glass of 168 facets were missing.
+/// for its light 4 % of a picture of glass of 168 facets were missing.
 bool has_facets(const PovScene& scene) {
   return std::any_of(scene.surfaces.begin(), scene.surfaces.end(), [](const PovSurface& surface) {
     return is_specular(surface) && std::holds_alternative<PovMesh>(surface.geometry);
@@ -150,21 +150,21 @@ PovrayExport export_scene(const PovScene& scene, const PovPlan& plan, const PovC
   return result;
 }
 
-/// Only what is seen of lamps, directly or in mirrors and glass: nothing is lit, so that many samples cost little. The
-/// grid is one of which several lines pass through every lamp.
-PovrayExport export_lamps(const PovScene& scene, PovPlan plan, const PovCamera& camera, const PovrayOptions& options,
-                          double thinnest) {
+/// Only what is seen of lights, directly or in mirrors and glass: nothing is lit, so that many samples cost little. The
+/// grid is one of which several lines pass through every light.
+PovrayExport export_lights(const PovScene& scene, PovPlan plan, const PovCamera& camera, const PovrayOptions& options,
+                           double thinnest) {
   plan.point_lights = plan.radiosity = plan.paths = plan.photons = plan.shows_sky = false;
   plan.brightness = 1;
   PovrayOptions finer = options;
-  finer.grid = has_facets(scene) ? finest_lamp_grid : 0;
-  PovrayExport lamps = export_scene(scene, plan, camera, finer);
-  if (finer.grid > 0) return lamps;
-  lamps.grid = std::clamp(static_cast<int>(std::ceil(2 * thin_lamp / thinnest)), 2, finest_lamp_grid);
-  // Of the lamp of `caustic-glass` 0.13 % are missing then, in a third of the time that leaves 0.11.
-  const bool is_fine = lamps.grid >= 8 && camera.kind != PovCamera::Kind::thin_lens;
-  if (is_fine) lamps.antialias = refined(lamp_halvings - 1);
-  return lamps;
+  finer.grid = has_facets(scene) ? finest_light_grid : 0;
+  PovrayExport lights = export_scene(scene, plan, camera, finer);
+  if (finer.grid > 0) return lights;
+  lights.grid = std::clamp(static_cast<int>(std::ceil(2 * thin_light / thinnest)), 2, finest_light_grid);
+  // Of the light of `caustic-glass` 0.13 % are missing then, in a third of the time that leaves 0.11.
+  const bool is_fine = lights.grid >= 8 && camera.kind != PovCamera::Kind::thin_lens;
+  if (is_fine) lights.antialias = refined(light_halvings - 1);
+  return lights;
 }
 
 }  // namespace
@@ -183,19 +183,19 @@ PovrayExport export_povray(const SceneDescription& description, const PovrayOpti
     options.grid = plan.photons ? plan.preset.paths->photon_grid : plan.preset.paths->grid;
   const PovCamera camera = lower_camera(description, options.width, options.height, options.margin, "POV-Ray");
   apply_clip_planes(camera, scene);
-  const double thinnest = thinnest_lamp(camera, scene, options.width, options.height);
-  // Beside paths' noise the edge of a lamp would count as noise, too; and the noise of photons is nothing to refine as
-  // finely as lamps: `cornell-spheres` 14 s for 23.
-  const bool apart = thinnest <= thin_lamp || ((plan.paths || plan.photons) && shows_bright_lamps(scene, plan));
-  plan.shows_lamps = !options.lamps_apart || given.grid > 0 || !apart;
+  const double thinnest = thinnest_light(camera, scene, options.width, options.height);
+  // Beside paths' noise the edge of a light would count as noise, too; and the noise of photons is nothing to refine as
+  // finely as lights: `cornell-spheres` 14 s for 23.
+  const bool apart = thinnest <= thin_light || ((plan.paths || plan.photons) && shows_bright_lights(scene, plan));
+  plan.shows_lights = !options.lights_apart || given.grid > 0 || !apart;
   PovCamera seen = camera;
   if (plan.paths && options.grid > 1)
     seen = with_moved_grid(camera, (options.width + 2 * options.margin) * options.grid,
                            (options.height + 2 * options.margin) * options.grid, options.seed);
   PovrayExport result = export_scene(scene, plan, seen, options);
-  if (plan.shows_lamps) return result;
-  plan.shows_lamps = true;
-  result.besides.push_back(export_lamps(scene, plan, camera, options, thinnest));
+  if (plan.shows_lights) return result;
+  plan.shows_lights = true;
+  result.besides.push_back(export_lights(scene, plan, camera, options, thinnest));
   return result;
 }
 

@@ -26,7 +26,7 @@ struct PovrayExport {
   std::vector<std::string> explanations;  ///< every conversion; the comments of `sdl`
   std::vector<std::string> skipped;       ///< passes POV-Ray need not run, with the reason
   std::vector<std::string> losses;        ///< what the image lacks, with its size
-  std::vector<PovrayExport> besides{};    ///< their images are to be added: PovrayOptions::lamps_apart
+  std::vector<PovrayExport> besides{};    ///< their images are to be added: PovrayOptions::lights_apart
 };
 
 /// Writes the scene's text to a file and its images beside it, each whole or not at all. Throws InputError when one

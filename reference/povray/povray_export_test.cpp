@@ -109,9 +109,9 @@ TEST(povray_export, shoots_photons_only_where_something_is_specular) {
   EXPECT_EQ(matte.skipped, std::vector<std::string>{"photons: nothing is specular"});
 }
 
-TEST(povray_export, has_a_point_for_each_of_many_lamps_and_fewer_for_radiosity) {
+TEST(povray_export, has_a_point_for_each_of_many_lights_and_fewer_for_radiosity) {
   const std::string text = code(exported("many-lights"));
-  // 1000 lamps in the picture, and for radiosity every fourth, from the first on: 250.
+  // 1000 lights in the picture, and for radiosity every fourth, from the first on: 250.
   EXPECT_EQ(count(text, "\nlight_source{") + count(text, "\nSpot("), 1000u + 250);
   EXPECT_EQ(count(text, "count 24,20000"), 1u) << "by fewer rays";
 }
@@ -123,10 +123,10 @@ TEST(povray_export, fills_its_cache_densely_with_fewer_rays_where_bounces_are_ma
   EXPECT_EQ(count(code(exported("million")), "low_error_factor 0.8 "), 1u);
 }
 
-TEST(povray_export, refines_the_edges_of_lamps_further) {
-  const PovrayOptions apart{.width = 64, .height = 64, .lamps_apart = true};
+TEST(povray_export, refines_the_edges_of_lights_further) {
+  const PovrayOptions apart{.width = 64, .height = 64, .lights_apart = true};
   EXPECT_EQ(exported("cornell").antialias.at(2), "+R7");
-  EXPECT_EQ(exported("light-point").antialias.at(2), "+R5") << "its lamp has no body";
+  EXPECT_EQ(exported("light-point").antialias.at(2), "+R5") << "its light has no body";
   EXPECT_EQ(exported("many-lights", apart).antialias.at(2), "+R2") << "every sample costs a thousand shadow rays";
   EXPECT_EQ(exported("caustic-glass", apart).besides.at(0).antialias.at(2), "+R6") << "of 13 x 13 sub-pixels";
 }
@@ -164,7 +164,7 @@ std::string mesh_text(const PovrayExport& scene) {
 
 TEST(povray_mesh, is_written_in_world_space_clockwise_from_the_front) {
   const PovrayExport text = export_povray(scene_with_mesh(false, Transform::translate({0, 2, 0})), {});
-  // The lamp stands at y = 1: the ball around everything has a radius of some 1, and the scale is 64.
+  // The light stands at y = 1: the ball around everything has a radius of some 1, and the scale is 64.
   EXPECT_EQ(mesh_text(text),
             "#declare Mesh_0 = mesh2{\n"
             "vertex_vectors{4\n,<0,128,0>\n,<64,128,0>\n,<0,128,-64>\n,<6.4,144,-64>\n}\n"

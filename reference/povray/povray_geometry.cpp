@@ -112,14 +112,14 @@ PovMesh behind(const PovMesh&, double) { throw std::logic_error("has_twin says n
 /// hidden from the camera by what they are twins of.
 bool hides_behind(const PovPlan& plan) { return plan.photons; }
 
-/// A lamp that the camera looks through: it shines in mirrors and for radiosity's rays.
-void write_hidden_lamp(const PovScene& scene, const PovSurface& surface, const PovPlan& plan, SdlWriter& out) {
+/// A light that the camera looks through: it shines in mirrors and for radiosity's rays.
+void write_hidden_light(const PovScene& scene, const PovSurface& surface, const PovPlan& plan, SdlWriter& out) {
   out.explain("  hide_emitters: the camera looks through it, mirrors see it shine");
-  out.line(outline(surface, plan) + lamp_texture(scene, surface, plan) + back_of(scene, surface, plan) + " no_image" +
+  out.line(outline(surface, plan) + light_texture(scene, surface, plan) + back_of(scene, surface, plan) + " no_image" +
            (plan.radiosity ? " no_radiosity" : "") + "}");
 }
 
-void explain_lamp(const PovSurface& surface, SdlWriter& out) {
+void explain_light(const PovSurface& surface, SdlWriter& out) {
   switch (surface.emission) {
     case PovSurface::Emission::none:
       return;
@@ -136,13 +136,13 @@ void explain_lamp(const PovSurface& surface, SdlWriter& out) {
 void write_surface(const PovScene& scene, const PovSurface& surface, const PovPlan& plan, const std::string& clip,
                    SdlWriter& out) {
   std::string object = outline(surface, plan);
-  explain_lamp(surface, out);
+  explain_light(surface, out);
   if (surface.emission == PovSurface::Emission::none) {
     object += material_of(scene, surface, plan);
-  } else if (scene.hides_lamps) {
-    return write_hidden_lamp(scene, surface, plan, out);
+  } else if (scene.hides_lights) {
+    return write_hidden_light(scene, surface, plan, out);
   } else {
-    object += lamp_texture(scene, surface, plan) + back_of(scene, surface, plan);
+    object += light_texture(scene, surface, plan) + back_of(scene, surface, plan);
   }
   if (surface.clear_back)
     out.explain("  clear from behind, where only the camera is: the near clip plane cuts it out of the picture");
@@ -151,7 +151,7 @@ void write_surface(const PovScene& scene, const PovSurface& surface, const PovPl
     object += clip;
   }
   if (plan.photons && is_specular(surface)) object += photon_target(surface);
-  // Radiosity's rays must not see a lamp shine, whose light_sources are counted, but its twin, which hides what is
+  // Radiosity's rays must not see a light shine, whose light_sources are counted, but its twin, which hides what is
   // behind it.
   const bool counted = surface.emission == PovSurface::Emission::spots;
   if (plan.radiosity && (counted || has_twin(surface, plan))) object += " no_radiosity";
@@ -187,7 +187,7 @@ void write_twins(const PovScene& scene, const PovPlan& plan, SdlWriter& out) {
     const bool emits = surface.emission != PovSurface::Emission::none;
     const std::string material =
         plan.paths ? mortal_material_of(scene, surface, plan) : material_of(scene, surface, plan);
-    const bool hidden = !hides_behind(plan) || (emits && scene.hides_lamps);
+    const bool hidden = !hides_behind(plan) || (emits && scene.hides_lights);
     out.line(outline(surface, plan) + material + (hidden ? " no_image" : "") + " no_shadow" +
              (emits ? " no_reflection}" : "}"));
   }

@@ -31,7 +31,7 @@ std::string radiosity_sdl(const PovScene& scene, const PovPlan& plan) {
          format_number(preset.pretrace_end) + " normal off media off}";
 }
 
-/// The most photons that one look-up finds, which must never be reached; POV-Ray allocates for as many each time, past
+/// The most photons that one gather finds, which must never be reached; POV-Ray allocates for as many each time, past
 /// some from the kernel, which took two fifths of the time of paths.
 std::string most_photons(const PovPlan& plan) { return plan.paths ? "2000" : "20000"; }
 

@@ -45,7 +45,7 @@ void check_emitters(const SceneDescription& scene) {
 void check_film(const SceneDescription& scene) {
   if (scene.sensor.medium)
     throw Unrepresentable(scene.where(scene.sensor.loc),
-                          "a camera in a medium: POV-Ray scatters light once only, and its lamps do not know theirs");
+                          "a camera in a medium: POV-Ray scatters light once only, and its lights do not know theirs");
 }
 
 /// As in Mitsuba, every face of a cube has the whole square of uv; where its corner (1, 1) is, in the order of
@@ -62,11 +62,11 @@ Transform uv_of_cube_face(const Transform& to_world, std::size_t face) {
   return to_world * t;
 }
 
-/// Share of the light of a uniform sky that comes from a flat lamp, by its front: what of it is above the surface at
+/// Share of the light of a uniform sky that comes from a flat light, by its front: what of it is above the surface at
 /// `p`, by Lambert's sum over its edges (Lambert 1760), with nothing in between.
-double share_of_sky(const Vec3d& p, const Vec3d& n, const PovParallelogram& lamp) {
-  if (dot(lamp.normal(), p - lamp.corner) <= 0) return 0;
-  const auto vertices = lamp.vertices();
+double share_of_sky(const Vec3d& p, const Vec3d& n, const PovParallelogram& area_light) {
+  if (dot(area_light.normal(), p - area_light.corner) <= 0) return 0;
+  const auto vertices = area_light.vertices();
   const std::array<HalfSpace, 1> above{HalfSpace{-n, -dot(n, p)}};
   const std::vector<Vec3d> seen = clip_polygon({vertices.begin(), vertices.end()}, above);
   double sum = 0;
@@ -80,7 +80,7 @@ double share_of_sky(const Vec3d& p, const Vec3d& n, const PovParallelogram& lamp
 
 /// The least share among places spread over the flat diffuse surfaces, of those that see any of it; 0 where a surface
 /// is of another kind, or none sees it.
-double least_share(const PovScene& scene, const PovParallelogram& lamp) {
+double least_share(const PovScene& scene, const PovParallelogram& area_light) {
   constexpr int side = 8;
   double least = 1;
   bool seen = false;
@@ -90,7 +90,7 @@ double least_share(const PovScene& scene, const PovParallelogram& lamp) {
     if (!face) return 0;
     for (int i = 0; i < side * side; ++i) {
       const double u = (i % side + 0.5) / side, v = (i / side + 0.5) / side;
-      const double share = share_of_sky(face->corner + face->edge_u * u + face->edge_v * v, face->normal(), lamp);
+      const double share = share_of_sky(face->corner + face->edge_u * u + face->edge_v * v, face->normal(), area_light);
       if (share <= 0) continue;
       seen = true;
       least = std::min(least, share);
@@ -99,9 +99,9 @@ double least_share(const PovScene& scene, const PovParallelogram& lamp) {
   return seen ? least : 0;
 }
 
-/// A lamp that fills half the sky of whatever it lights is found by radiosity's rays, as one around the scene is, while
-/// points on it would be as far from one another as from what they light.
-void leave_wide_lamps_to_radiosity(PovScene& scene) {
+/// A light that fills half the sky of whatever it lights is found by radiosity's rays, as one around the scene is,
+/// while points on it would be as far from one another as from what they light.
+void leave_wide_lights_to_radiosity(PovScene& scene) {
   for (PovSurface& surface : scene.surfaces) {
     const auto* face = std::get_if<PovParallelogram>(&surface.geometry);
     if (surface.emission == PovSurface::Emission::spots && face && least_share(scene, *face) >= 0.5)
@@ -121,7 +121,7 @@ class Lowering {
     add_sky();
     bound();
     for (const ShapeDescription* plane : planes_) add_plane(*plane);
-    leave_wide_lamps_to_radiosity(scene_);
+    leave_wide_lights_to_radiosity(scene_);
     check_whole();
     // Mirrors and glass would need the lights' photons: there radiosity's rays find the sky, through them, too.
     const auto any = [&](bool (*is)(const PovSurface&)) {
@@ -176,7 +176,7 @@ class Lowering {
     surface.absorption = absorption_behind(shape);
     if (surface.sides.nothing && !surface.absorption) {
       if (emits(description, shape))
-        throw Unrepresentable(description.where(shape.loc), "a lamp without a surface; its bsdf must be diffuse");
+        throw Unrepresentable(description.where(shape.loc), "a light without a surface; its bsdf must be diffuse");
       return std::nullopt;
     }
     if (!surface.sides.nothing) {
@@ -353,7 +353,7 @@ void Lowering::check_whole() {
   const bool hides = std::visit([](const auto& m) { return m.hide_emitters; }, description.integrator.method);
   for (const PovSurface& surface : scene_.surfaces) {
     const bool lit = is_diffuse(surface) || is_specular(surface);
-    if (hides && surface.emission != PovSurface::Emission::none) scene_.hides_lamps = true;
+    if (hides && surface.emission != PovSurface::Emission::none) scene_.hides_lights = true;
     if (hides && (surface.emission == PovSurface::Emission::radiosity || is_glass(surface)))
       throw Unrepresentable(description.where(description.integrator.loc),
                             "hide_emitters with glass or a light around the scene: POV-Ray cannot hide a light from "

@@ -50,15 +50,15 @@ std::string filter(const RgbD& t) {
   return "pigment{rgbf <" + format_number(t.x) + "," + format_number(t.y) + "," + format_number(t.z) + ",1>}";
 }
 
-/// A diffuse layer whose light from lamps goes by cos^brilliance, and whose light from radiosity does not heed it.
+/// A diffuse layer whose light from lights goes by cos^brilliance, and whose light from radiosity does not heed it.
 struct CoatLayer {
   RgbD colour{0.0};
   std::string brilliance;
 };
 
-/// What of the light enters the coat. POV-Ray's `brilliance` b has the diffuse light of a lamp go by cos^b: a sum of
+/// What of the light enters the coat. POV-Ray's `brilliance` b has the diffuse light of a light go by cos^b: a sum of
 /// powers of its cosine, some of them with negative pigments. Radiosity adds all layers up as if light came head on:
-/// one that lamps light only within a hundredth of a degree of it makes the sum the mean over all directions.
+/// one that lights light only within a hundredth of a degree of it makes the sum the mean over all directions.
 std::vector<CoatLayer> entering_layers(const Coat& coat) {
   std::vector<CoatLayer> layers;
   RgbD rest = coat.mean_crossing();
@@ -271,8 +271,8 @@ std::string material_of(const PovScene& scene, const PovSurface& surface, const 
   return " texture{" + placed_texture(scene, surface, *surface.sides.front, plan) + "}" + back_of(scene, surface, plan);
 }
 
-std::string lamp_texture(const PovScene& scene, const PovSurface& surface, const PovPlan& plan) {
-  const double shown = plan.shows_lamps ? plan.exposure : 0;
+std::string light_texture(const PovScene& scene, const PovSurface& surface, const PovPlan& plan) {
+  const double shown = plan.shows_lights ? plan.exposure : 0;
   if (surface.emission == PovSurface::Emission::picture)
     return " texture{" + pigment_sdl(*scene.description, *surface.shape->radiance, plan.stem, surface.uv_kind) +
            " finish{ambient 0 diffuse 0 emission " + format_number(shown) + "}" + matrix_sdl(surface.uv, plan.scale) +

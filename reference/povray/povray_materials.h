@@ -18,8 +18,8 @@ std::string placed_texture(const PovScene& scene, const PovSurface& surface, con
 /// " texture{...} interior_texture{...}" of a surface, and an interior where its inside differs from the air.
 std::string material_of(const PovScene& scene, const PovSurface& surface, const PovPlan& plan);
 
-/// The same of a lamp's front: " texture{...}" that both shines and reflects.
-std::string lamp_texture(const PovScene& scene, const PovSurface& surface, const PovPlan& plan);
+/// The same of a light's front: " texture{...}" that both shines and reflects.
+std::string light_texture(const PovScene& scene, const PovSurface& surface, const PovPlan& plan);
 
 /// What is behind: " interior_texture{...}" of a surface that lets nothing through, and its interior.
 std::string back_of(const PovScene& scene, const PovSurface& surface, const PovPlan& plan);

@@ -142,8 +142,8 @@ TEST(povray_mesh_render, of_glass_facets_loses_no_light) {
   EXPECT_NEAR(mean_of(shown(scene)), 1, 5e-4);
 }
 
-// A lamp behind the ball is seen in slivers, which may lie between a pixel's corners.
-TEST(povray_mesh_render, of_glass_facets_shows_all_of_a_lamp) {
+// A light behind the ball is seen in slivers, which may lie between a pixel's corners.
+TEST(povray_mesh_render, of_glass_facets_shows_all_of_a_light) {
   SceneDescription scene = parse_scene_text(R"(<scene version="3.0.0"><integrator type="path"/>
     <sensor type="perspective"><float name="fov" value="40"/><transform name="to_world">
     <lookat origin="1,3,5" target="0,0,0" up="0,1,0"/></transform><film type="hdrfilm"><rfilter type="box"/></film></sensor>
@@ -154,7 +154,7 @@ TEST(povray_mesh_render, of_glass_facets_shows_all_of_a_lamp) {
     <translate y="-1.3"/></transform></shape></scene>)",
                                             "lamp.xml");
   scene.shapes.at(0).geometry = described(ball_mesh(1), true);
-  const PovrayExport apart = export_povray(scene, {.width = 32, .height = 32, .lamps_apart = true});
+  const PovrayExport apart = export_povray(scene, {.width = 32, .height = 32, .lights_apart = true});
   ASSERT_EQ(apart.besides.size(), 1u);
   PovrayExport finer = apart.besides.at(0);
   finer.grid = 32;

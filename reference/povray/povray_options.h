@@ -13,7 +13,7 @@ struct PovrayOptions {
   int margin = 0;   ///< pixels around the picture that are rendered, too
   int grid = 0;     ///< k: each pixel is the mean of k x k sub-pixel centres; 0: POV-Ray refines where it sees an edge
   int quality = 1;  ///< 1 seconds, 2 tens of seconds, 3 for comparisons that claim agreement, 4 paths without a cache
-  bool lamps_apart = false;  ///< what is seen of lamps that are thin in the picture is rendered besides, and added
+  bool lights_apart = false;  ///< what is seen of lights that are thin in the picture is rendered besides, and added
   std::uint64_t seed =
       1;  ///< of the places of light samples and of where paths end; POV-Ray's own sample directions are fixed
   std::string stem = "scene";  ///< starts the names of images that the text reads from its folder

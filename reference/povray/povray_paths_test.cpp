@@ -86,9 +86,9 @@ double integrating_ball(double albedo) {
     for (int x = 0; x < side; ++x) {
       const double u = (2 * (x + 0.5) / side - 1) * half, v = (2 * (y + 0.5) / side - 1) * half;
       const double length = std::sqrt(u * u + v * v + 1);
-      const Vec3d d{u / length, v / length, 1 / length}, eye{0, 0, -0.5}, lamp{0, 0.3, 0};
+      const Vec3d d{u / length, v / length, 1 / length}, eye{0, 0, -0.5}, light{0, 0.3, 0};
       const double b = dot(eye, d), t = -b + std::sqrt(b * b - dot(eye, eye) + 1);
-      const Vec3d p = eye + d * t, to = lamp - p;
+      const Vec3d p = eye + d * t, to = light - p;
       const double distance = std::sqrt(dot(to, to));
       direct += -dot(to, p) / (distance * distance * distance) / (side * side);
     }
@@ -185,7 +185,7 @@ TEST(povray_paths, show_an_edge_by_the_lines_of_their_grid_that_meet_the_wall) {
   EXPECT_LT(least, most) << "seeds that see the same";
 }
 
-TEST(povray_paths, are_of_quality_4_and_of_scenes_with_lamps_alone) {
+TEST(povray_paths, are_of_quality_4_and_of_scenes_with_lights_alone) {
   const auto text = [](const SceneDescription& scene, int quality) {
     return export_povray(scene, {.quality = quality}).sdl.str();
   };

@@ -129,7 +129,7 @@ int bounces_for(double albedo, double fraction) {
 }
 
 /// The loss declared: what the mean albedo makes it in a closed room, and the bound that no scene passes, both of the
-/// flux on all surfaces. Of a picture it may be more: 1.03 % of `integrating-sphere`, which looks away from the lamp,
+/// flux on all surfaces. Of a picture it may be more: 1.03 % of `integrating-sphere`, which looks away from the light,
 /// where 0.92 % is the bound.
 std::string truncation_loss(const Facts& facts, int bounces) {
   const double about = std::pow(facts.mean_albedo, bounces + 1);
@@ -155,7 +155,7 @@ void plan_radiosity(PovPlan& plan, const Facts& facts, int depth) {
   } else {
     plan.radiosity = true;
     plan.brightness = 2;
-    // Rays see twins where there are lamps, and only they have what ends a path by chance.
+    // Rays see twins where there are lights, and only they have what ends a path by chance.
     plan.paths = plan.preset.paths && plan.point_lights && !facts.surrounding;
     plan.recursion_limit = plan.paths ? kMostBounces : bounces_for(facts.mean_albedo, plan.preset.truncation);
     const bool ends_early = depth >= 0 && depth - edges <= plan.recursion_limit;
@@ -230,7 +230,7 @@ PovPlan make_plan(const PovScene& scene, const PovrayOptions& options) {
         "ball's of 168");
   if (plan.radiosity && plan.point_lights && lights_for_one(scene) > 1)
     plan.losses.push_back("radiosity's rays see every " + std::to_string(lights_for_one(scene)) +
-                          "th of the lamps, as bright as so many: a coarser pattern of indirect light");
+                          "th of the lights, as bright as so many: a coarser pattern of indirect light");
   if (scene.sun)
     plan.losses.emplace_back("the sun's disc is not drawn: it lights, and neither camera nor mirrors see it");
   if (depth >= 0 && facts.specular)

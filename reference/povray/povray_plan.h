@@ -23,7 +23,7 @@ struct PovPlan {
   bool paths = false;  ///< radiosity without its cache
   bool photons = false;
   std::string stem;                  ///< of the images' names
-  bool shows_lamps = true;           ///< lamps are seen; false where that is added from elsewhere
+  bool shows_lights = true;          ///< lights are seen; false where that is added from elsewhere
   bool shows_sky = true;             ///< false where what is rendered is added to a picture that has it
   std::vector<std::string> skipped;  ///< passes left out, with the reason
   std::vector<std::string> losses;   ///< what the image lacks, with its size

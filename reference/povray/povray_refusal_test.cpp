@@ -9,7 +9,7 @@
 namespace photonproof::inline reference_povray {
 namespace {
 
-const std::string kLamp = "<emitter type='point'><point name='position' value='0 5 0'/></emitter>\n";
+const std::string kLight = "<emitter type='point'><point name='position' value='0 5 0'/></emitter>\n";
 const std::string kGlass = "<shape type='sphere'><bsdf type='dielectric'/></shape>\n";
 
 /// What is said about a scene of a camera in line 1, `content` from line 2 on.
@@ -20,7 +20,7 @@ std::string refusal(const std::string& content, const std::string& camera = kCam
 
 const std::string kNot = " error: not representable in POV-Ray: ";
 
-std::string ball(const std::string& bsdf) { return "<shape type='sphere'>" + bsdf + "</shape>" + kLamp; }
+std::string ball(const std::string& bsdf) { return "<shape type='sphere'>" + bsdf + "</shape>" + kLight; }
 
 TEST(povray_refuses, what_is_glossy) {
   const std::string why =
@@ -66,11 +66,11 @@ TEST(povray_refuses, media_that_scatter_or_stand_beside_lit_surfaces) {
            "value='" +
            albedo + "'/></medium></shape>";
   };
-  EXPECT_EQ(refusal(medium("0.5") + kLamp),
+  EXPECT_EQ(refusal(medium("0.5") + kLight),
             "2:1:" + kNot +
                 "a medium that scatters: POV-Ray scatters light once at most; one that only absorbs can be written");
-  EXPECT_EQ(refusal(medium("0") + kLamp), "no refusal");
-  EXPECT_EQ(refusal(medium("0") + "\n<shape type='cube'/>" + kLamp),
+  EXPECT_EQ(refusal(medium("0") + kLight), "no refusal");
+  EXPECT_EQ(refusal(medium("0") + "\n<shape type='cube'/>" + kLight),
             "2:1:" + kNot +
                 "a medium that absorbs beside surfaces that are lit: POV-Ray's photons and radiosity do not know it");
 }
@@ -78,7 +78,7 @@ TEST(povray_refuses, media_that_scatter_or_stand_beside_lit_surfaces) {
 TEST(povray_refuses, dielectrics_that_reflect_less_than_fresnel_says) {
   const auto body = [](const std::string& kind, const std::string& more) {
     return "<shape type='" + kind + "'><bsdf type='dielectric'><float name='specular_reflectance' value='0.5'/>" +
-           more + "</bsdf></shape>" + kLamp;
+           more + "</bsdf></shape>" + kLight;
   };
   const std::string total =
       "2:1:" + kNot +
@@ -89,7 +89,7 @@ TEST(povray_refuses, dielectrics_that_reflect_less_than_fresnel_says) {
 }
 
 TEST(povray_refuses, rectangles_of_dielectric) {
-  EXPECT_EQ(refusal("<shape type='rectangle'><bsdf type='dielectric'/></shape>" + kLamp),
+  EXPECT_EQ(refusal("<shape type='rectangle'><bsdf type='dielectric'/></shape>" + kLight),
             "2:1:" + kNot + "an open surface of dielectric: POV-Ray's index of refraction belongs to a closed body");
 }
 
@@ -101,14 +101,14 @@ TEST(povray_refuses, area_lights_on_mirrors) {
 
 TEST(povray_refuses, hidden_emitters_with_glass) {
   const std::string hide = "<integrator type='path'><boolean name='hide_emitters' value='true'/></integrator>";
-  const std::string lamp =
+  const std::string light =
       "<shape type='rectangle'><transform name='to_world'><translate z='3'/></transform>"
       "<emitter type='area'/></shape>";
-  EXPECT_EQ(refusal(hide + lamp + kGlass),
+  EXPECT_EQ(refusal(hide + light + kGlass),
             "2:1:" + kNot +
                 "hide_emitters with glass or a light around the scene: POV-Ray cannot hide a light from the camera and "
                 "show it in glass");
-  EXPECT_EQ(refusal(hide + lamp), "no refusal");
+  EXPECT_EQ(refusal(hide + light), "no refusal");
 }
 
 TEST(povray_refuses, what_lies_inside_glass) {
@@ -119,12 +119,12 @@ TEST(povray_refuses, what_lies_inside_glass) {
   const auto cube_of = [](const std::string& size) {
     return "<shape type='cube'><transform name='to_world'><scale value='" + size + "'/></transform></shape>";
   };
-  EXPECT_EQ(refusal(kGlass + cube_of("1") + kLamp), "no refusal") << "around the ball, touching it";
-  EXPECT_EQ(refusal(kGlass + small + kLamp), "3:1:" + kNot + "a surface" + reason);
-  EXPECT_EQ(refusal(kGlass + "<shape type='rectangle'/>" + kLamp), "3:1:" + kNot + "a surface" + reason);
-  EXPECT_EQ(refusal(kGlass + cube_of("0.5") + kLamp), "3:1:" + kNot + "a surface" + reason);
+  EXPECT_EQ(refusal(kGlass + cube_of("1") + kLight), "no refusal") << "around the ball, touching it";
+  EXPECT_EQ(refusal(kGlass + small + kLight), "3:1:" + kNot + "a surface" + reason);
+  EXPECT_EQ(refusal(kGlass + "<shape type='rectangle'/>" + kLight), "3:1:" + kNot + "a surface" + reason);
+  EXPECT_EQ(refusal(kGlass + cube_of("0.5") + kLight), "3:1:" + kNot + "a surface" + reason);
   EXPECT_EQ(refusal(kGlass + "<emitter type='point'/>"), "3:1:" + kNot + "a light" + reason);
-  EXPECT_EQ(refusal("\n" + kGlass + kLamp,
+  EXPECT_EQ(refusal("\n" + kGlass + kLight,
                     "<sensor type='perspective'><film type='hdrfilm'><rfilter type='box'/></film></sensor>"),
             "1:24:" + kNot + "a camera" + reason);
 }
@@ -134,7 +134,7 @@ TEST(povray_refuses, meshes_inside_glass_but_not_beside_it) {
     return "<shape type='ply'><string name='filename' value='ascii_quad.ply'/><boolean name='face_normals' "
            "value='true'/>"
            "<transform name='to_world'>" +
-           place + "</transform></shape>" + kLamp;
+           place + "</transform></shape>" + kLight;
   };
   const std::string inside = "3:1:" + kNot + "a surface inside or across the dielectric of " + kScene +
                              ":2:1: POV-Ray does not scale radiance by the squared index of refraction";
@@ -149,14 +149,14 @@ TEST(povray_refuses, meshes_inside_glass_but_not_beside_it) {
 
 TEST(povray_refuses, open_meshes_that_refract_or_absorb) {
   const std::string quad = "<shape type='ply'><string name='filename' value='ascii_quad.ply'/>";
-  EXPECT_EQ(refusal(quad + "<bsdf type='dielectric'/></shape>" + kLamp),
+  EXPECT_EQ(refusal(quad + "<bsdf type='dielectric'/></shape>" + kLight),
             "2:1:" + kNot +
                 "a triangle mesh of dielectric that is open, or whose front is inside: POV-Ray's index of refraction "
                 "belongs to a closed body");
   EXPECT_EQ(refusal(quad +
                     "<bsdf type='null'/><medium type='homogeneous' name='interior'><float name='albedo' "
                     "value='0'/></medium></shape>" +
-                    kLamp),
+                    kLight),
             "2:1:" + kNot + "a medium in another shape than a sphere, a cube or a closed mesh, their front outside");
 }
 
@@ -167,15 +167,15 @@ TEST(povray_refuses, path_lengths_that_it_cannot_cut_at) {
   const std::string around =
       "<shape type='sphere'><float name='radius' value='50'/><boolean name='flip_normals' value='true'/>"
       "<emitter type='area'/></shape>";
-  EXPECT_EQ(refusal(depth(5) + around + kLamp),
+  EXPECT_EQ(refusal(depth(5) + around + kLight),
             "2:1:" + kNot +
                 "max_depth in a scene lit both by a light around it and by others: POV-Ray counts their bounces "
                 "differently");
-  EXPECT_EQ(refusal(depth(-1) + around + kLamp), "no refusal");
+  EXPECT_EQ(refusal(depth(-1) + around + kLight), "no refusal");
   EXPECT_EQ(
-      refusal(depth(3) + kGlass + kLamp),
+      refusal(depth(3) + kGlass + kLight),
       "2:1:" + kNot + "max_depth 3 with mirrors or glass: POV-Ray does not count specular bounces as part of a path");
-  EXPECT_EQ(refusal(depth(4) + kGlass + kLamp), "no refusal");
+  EXPECT_EQ(refusal(depth(4) + kGlass + kLight), "no refusal");
 }
 
 std::string camera_with(const std::string& parameters, const std::string& turn = "") {
@@ -186,18 +186,18 @@ std::string camera_with(const std::string& parameters, const std::string& turn =
 
 TEST(povray_refuses, what_clip_planes_would_cut_out) {
   EXPECT_EQ(
-      refusal("<shape type='sphere'/>" + kLamp, camera_with("<float name='far_clip' value='8.5'/>")),
+      refusal("<shape type='sphere'/>" + kLight, camera_with("<float name='far_clip' value='8.5'/>")),
       "2:1:" + kNot + "part of this surface lies beyond the camera's far_clip of 8.5, and POV-Ray has no clip planes");
   const std::string near =
       "part of this surface lies before the camera's near_clip of 8.5, POV-Ray has no clip planes, "
       "and it cannot be left out without changing the light";
-  EXPECT_EQ(refusal("<shape type='sphere'/>" + kLamp, camera_with("<float name='near_clip' value='8.5'/>")),
+  EXPECT_EQ(refusal("<shape type='sphere'/>" + kLight, camera_with("<float name='near_clip' value='8.5'/>")),
             "2:1:" + kNot + near);
   // The quad reaches from z = 0 to 0.5; the camera at z = 9 is 8.5 away from its nearest corner.
   const std::string mesh =
       "<shape type='ply'><string name='filename' value='ascii_quad.ply'/><boolean name='face_normals' value='true'/>"
       "</shape>" +
-      kLamp;
+      kLight;
   EXPECT_EQ(refusal(mesh, camera_with("<float name='near_clip' value='8.4'/>")), "no refusal");
   EXPECT_EQ(refusal(mesh, camera_with("<float name='near_clip' value='8.6'/>")),
             "2:1:" + kNot +
@@ -209,7 +209,7 @@ TEST(povray_refuses, what_clip_planes_would_cut_out) {
 }
 
 TEST(povray_refuses, skewed_cameras) {
-  SceneDescription scene = parse_scene_text("<scene version='3.0.0'>" + kCamera + kLamp + "</scene>", kScene, {});
+  SceneDescription scene = parse_scene_text("<scene version='3.0.0'>" + kCamera + kLight + "</scene>", kScene, {});
   scene.sensor.to_world.m[1] = 0.1;
   try {
     export_povray(scene, {});
@@ -220,7 +220,7 @@ TEST(povray_refuses, skewed_cameras) {
 }
 
 TEST(povray_refuses, unknown_quality) {
-  EXPECT_EQ(refusal(kLamp, kCamera, {.quality = 5}), "--quality: error: 5 is not a preset, expected 1, 2, 3 or 4");
+  EXPECT_EQ(refusal(kLight, kCamera, {.quality = 5}), "--quality: error: 5 is not a preset, expected 1, 2, 3 or 4");
 }
 
 }  // namespace

@@ -78,7 +78,7 @@ struct PovScene {
   const SunSkyDescription* sun = nullptr;
   /// The sky lights by parallel lights and is seen on a ball far away; else radiosity's rays find it.
   bool sky_as_lights = false;
-  bool hides_lamps = false;  ///< from the camera, which looks through them
+  bool hides_lights = false;  ///< from the camera, which looks through them
   /// Shapes that no file spells out: those of instances.
   std::shared_ptr<std::list<ShapeDescription>> copies = std::make_shared<std::list<ShapeDescription>>();
 };
@@ -109,7 +109,7 @@ bool is_sky(const EmitterDescription& emitter);
 
 /// Throws Unrepresentable for what povray_bsdf.h refuses and: emitters that are not diffuse, open surfaces
 /// of glass, surfaces, lights or the camera inside glass (POV-Ray does not scale radiance by the squared index),
-/// media that scatter, textures on curved shapes and on lamps that light something.
+/// media that scatter, textures on curved shapes and on lights that light something.
 PovScene lower_scene(const SceneDescription& description);
 
 }  // namespace photonproof::inline reference_povray

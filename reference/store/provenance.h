@@ -42,8 +42,8 @@ struct Provenance {
   std::string pixels;  ///< checksum of the stored mean and variance
   std::map<std::string, std::string> versions;
   std::string host;
-  std::string date;                 ///< UTC, ISO 8601
-  std::vector<Acceptance> history;  ///< oldest first
+  std::string date;                       ///< UTC, ISO 8601
+  std::vector<Acceptance> state_of_path;  ///< oldest first
   friend bool operator==(const Provenance&, const Provenance&) = default;
 };
 

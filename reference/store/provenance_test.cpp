@@ -22,7 +22,7 @@ Provenance sample() {
   p.versions = {{"photonproof", "photonproof 0.1.0 (abc)"}, {"embree", "3.13.5"}};
   p.host = "A \"CPU\", 2 cores";
   p.date = "2026-01-31T12:00:00Z";
-  p.history = {{"2026-02-01T00:00:00Z", "the lamp moved", {{"pixels", "1"}}, {{"pixels", "2"}}}};
+  p.state_of_path = {{"2026-02-01T00:00:00Z", "the light moved", {{"pixels", "1"}}, {{"pixels", "2"}}}};
   return p;
 }
 
@@ -90,7 +90,7 @@ TEST(Provenance, text_that_is_none_is_refused_by_name) {
   EXPECT_EQ(error_with("\"bdpt\"", "3"), "p.json#/estimator: error: is 3, expected a string");
   EXPECT_EQ(error_with("\"width\"", "\"note\": 1, \"width\""), "p.json: error: has 'note', which is not known");
   EXPECT_EQ(error_with("\"format\": 1", "\"format\": 2"), "p.json: error: has format 2; this program reads 1");
-  EXPECT_EQ(error_with("\"reason\": \"the lamp moved\",", ""), "p.json#/history/0: error: has no 'reason'");
+  EXPECT_EQ(error_with("\"reason\": \"the light moved\",", ""), "p.json#/history/0: error: has no 'reason'");
   EXPECT_EQ(input_error_of([] { parse_provenance("[]", "p.json"); }), "p.json: error: is [], expected an object");
 }
 

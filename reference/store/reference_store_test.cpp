@@ -234,18 +234,18 @@ TEST_F(ReferenceStore, good_reference_is_replaced_with_a_reason_only_and_both_ar
   EXPECT_EQ(input_error_of([&] { commit_reference(scene(), image(0.4f), better, ""); }),
             path("reference-5x4.exr") +
                 ": error: is a good reference of this scene: say why it is replaced with --reason TEXT");
-  commit_reference(scene(), image(0.4f), better, "the lamp is brighter");
+  commit_reference(scene(), image(0.4f), better, "the light is brighter");
   const StoredReference stored = load_reference(scene(), 5, 4);
-  ASSERT_EQ(stored.provenance.history.size(), 1u);
-  EXPECT_EQ(stored.provenance.history[0].reason, "the lamp is brighter");
-  EXPECT_EQ(stored.provenance.history[0].before, facts(first));
-  EXPECT_EQ(stored.provenance.history[0].after, facts(stored.provenance));
+  ASSERT_EQ(stored.provenance.state_of_path.size(), 1u);
+  EXPECT_EQ(stored.provenance.state_of_path[0].reason, "the light is brighter");
+  EXPECT_EQ(stored.provenance.state_of_path[0].before, facts(first));
+  EXPECT_EQ(stored.provenance.state_of_path[0].after, facts(stored.provenance));
 
   put("scene.xml", scene_text + "<!-- moved -->");
   commit(image(0.5f));  // the old one is of no use now: no reason is asked for
   const Provenance third = load_reference(scene(), 5, 4).provenance;
-  ASSERT_EQ(third.history.size(), 2u);
-  EXPECT_EQ(third.history[1].reason, "the scene has changed");
+  ASSERT_EQ(third.state_of_path.size(), 2u);
+  EXPECT_EQ(third.state_of_path[1].reason, "the scene has changed");
 }
 
 TEST_F(ReferenceStore, committing_the_same_reference_again_changes_nothing) {

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "renderer/core/version.h"
-#include "renderer/passes/view.h"
+#include "renderer/passes/aov.h"
 #include "scenes/base/size_text.h"
 #include "scenes/description/scene_hash.h"
 
@@ -29,7 +29,7 @@ RenderIdentity render_identity(const SceneDescription& description, const Render
                         " from " + std::to_string(window.x0) + "," + std::to_string(window.y0)},
           {"integrator", plan.integrator},
           {"preset", request.preset.empty() ? "none" : request.preset},
-          {"view", view_row(plan.view).name},
+          {"view", aov_row(plan.view).name},
           {"seed", std::to_string(request.seed)},
           {"sampler", sampler_name(request.sampler)},
           {"grid", std::to_string(request.grid)},

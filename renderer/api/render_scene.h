@@ -27,7 +27,7 @@ struct RenderRequest {
   int threads = 0;  ///< 0: every core. The image does not depend on it.
   int grid = 0;     ///< k > 0: samples on the centres of a k x k grid in each pixel
   SamplerKind sampler = SamplerKind::sobol;
-  View view = View::whole;
+  Aov view = Aov::whole;
   std::vector<std::string> no_skip{};           ///< names of skip_table() to switch off, or "all"
   std::string isa{};                            ///< instruction set of the kernels; empty: the processor's best
   std::optional<FilmDescription::Crop> crop{};  ///< pixels, of the whole image; empty: the scene's own

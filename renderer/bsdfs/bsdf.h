@@ -1,6 +1,6 @@
 // The closed set of BSDFs. Each lives in bsdf_<name>.h as a struct of floats (or packs) with eval, pdf and sample; this
 // header lists them. Directions are unit, in the local frame (z = normal), and point away from the surface; wo is where
-// the history came from, wi where it goes. The cosine is never inside `eval`. A kind may have Dirac and other lobes:
+// the path came from, wi where it goes. The cosine is never inside `eval`. A kind may have Dirac and other lobes:
 // eval and pdf know the others only, pdf with the probability that `sample` chooses them. Three constants say what
 // estimators need to know of a kind:
 //   has_smooth     eval is not always 0: light sampling can reach it

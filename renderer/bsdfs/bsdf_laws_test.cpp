@@ -72,7 +72,7 @@ Mean albedo_on_lattices(const Bsdf& bsdf, const Vec3f& wo, int points) {
   return {mean, std::sqrt(std::max(0.0, squares / lattices - mean * mean) / (lattices - 1))};
 }
 
-/// What photon maps and look-ups take for granted.
+/// What photon maps and gathers take for granted.
 template <class Kind>
 void expect_lambertian() {
   test::Random random(17);

@@ -1,4 +1,4 @@
-// No surface: histories go straight on. A border between media, or where a mask has a hole.
+// No surface: paths go straight on. A border between media, or where a mask has a hole.
 #pragma once
 
 #include "renderer/bsdfs/bsdf_sample.h"

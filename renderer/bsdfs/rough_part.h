@@ -1,4 +1,4 @@
-// Which part of a BSDF photons are looked up for, since a ray would hit a small lamp by it too rarely: what is rough.
+// Which part of a BSDF photons are looked up for, since a ray would hit a small light by it too rarely: what is rough.
 // The rest, mirrors and sharp highlights, is traced. Kinds that can have a rough part say
 //   is_rough(limit)             lanes where it is not 0
 //   rough_share(limit, wo, wi)  its part of eval, a channel each, in [0,1]

@@ -35,7 +35,7 @@ struct MappedNormals {
   static constexpr std::uint32_t flipped[2] = {1u << 1, 1u << 2};  ///< the map's normal is mirrored to face the viewer
   static constexpr std::uint32_t flips[2] = {1u << 3, 1u << 4};    ///< the map does that where needed
   static constexpr std::uint32_t faces[2] = {1u << 5, 1u << 6};    ///< its viewer is in front of the normal below it
-  /// What photons and look-ups must have in common, moved up beside the number of their surface (photon_columns.h).
+  /// What photons and gathers must have in common, moved up beside the number of their surface (photon_columns.h).
   static constexpr std::uint32_t tag_bits = 3;
 
   Vec3<F> below[2];  ///< the normals under the first and the second map; the shading normal where there is none
@@ -88,7 +88,7 @@ struct Scattering {
     return mapped ? Vec3<F>(f * maps.part_arriving(to_light)) : f;
   }
 
-  /// What f is multiplied by in a history of that mode: the cosine of the light's direction for camera paths, the
+  /// What f is multiplied by in a path of that mode: the cosine of the light's direction for camera paths, the
   /// adjoint's for light paths.
   F cosine(const Vec3<F>& to_camera, const Vec3<F>& to_light, TransportMode mode) const {
     const F to_ns = lane_abs(to_light.z);
@@ -98,7 +98,7 @@ struct Scattering {
     return select(to_ng > 0, F(to_ns * lane_abs(dot(ng, to_camera)) / to_ng), F(0.0f));
   }
 
-  /// What flux that lands along `to_light` is worth to look-ups that take a Lambertian surface's flux over its true
+  /// What flux that lands along `to_light` is worth to gathers that take a Lambertian surface's flux over its true
   /// area for irradiance.
   F landing(const Vec3<F>& to_light) const {
     const F to_ng = lane_abs(dot(ng, to_light));
@@ -106,7 +106,7 @@ struct Scattering {
     return mapped ? F(worth * maps.part_arriving(to_light) / maps.chance) : worth;
   }
 
-  /// Density per solid angle with which `sample` draws wi when the history came from wo; smooth part alone.
+  /// Density per solid angle with which `sample` draws wi when the path came from wo; smooth part alone.
   template <class B>
   F pdf(const B& bsdf, const Vec3<F>& wo, const Vec3<F>& wi, TransportMode mode) const {
     if (mode == TransportMode::radiance || !bent) return bsdf.pdf(wo, wi);

@@ -1,4 +1,4 @@
-// Both directions of transport are one: however a history comes to a surface, the same light goes from a lamp to a
+// Both directions of transport are one: however a path comes to a surface, the same light goes from a light to a
 // camera. Checked for every kind of BSDF where normals are interpolated, mapped, mirrored, shadowed, nested.
 
 #include "renderer/bsdfs/scattering.h"
@@ -13,7 +13,7 @@
 #include "renderer/integrators/test_scenes.h"
 #include "renderer/lanes/test_random.h"
 #include "renderer/planning/test_compiled.h"
-#include "renderer/scalar/world.h"
+#include "renderer/scalar/scene_interface.h"
 
 namespace photonproof::inline renderer_bsdfs {
 namespace {
@@ -58,15 +58,15 @@ SceneDescription surface(const decltype(BsdfDescription::model)& model, Normals 
   return d;
 }
 
-/// Of a lamp and a camera far away in all directions.
-float lamp(const Vec3f& to_light) { return 1 + 0.8f * to_light.x - 0.5f * to_light.z * to_light.y; }
+/// Of a light and a camera far away in all directions.
+float light(const Vec3f& to_light) { return 1 + 0.8f * to_light.x - 0.5f * to_light.z * to_light.y; }
 float camera(const Vec3f& to_camera) { return 1 - 0.6f * to_camera.y + 0.7f * to_camera.x * to_camera.z; }
 
 class OneSurface {
  public:
   explicit OneSurface(const SceneDescription& description)
       : scene_(test::compiled(description, 4, 4)), world_(scene_) {}
-  const World& world() const { return world_; }
+  const SceneInterface& world() const { return world_; }
   Interaction met_from(const Vec3f& direction, float u, TransportMode mode) const {
     Interaction at;
     EXPECT_TRUE(world_.intersect({direction * 3.0f, -direction}, u, mode, at));
@@ -75,13 +75,13 @@ class OneSurface {
 
  private:
   Scene scene_;
-  World world_;
+  SceneInterface world_;
 };
 
 struct Mean {
   double value, error;
 };
-/// int int camera(o) |o.ng| K(o,i) lamp(i) di do by histories of that mode, over lattices that differ in their random
+/// int int camera(o) |o.ng| K(o,i) light(i) di do by paths of that mode, over lattices that differ in their random
 /// shift, whose spread is the error. Steps are powers of the root of x^7 = x + 1, which fill the six dimensions evenly.
 Mean transported(const OneSurface& surface, TransportMode mode) {
   constexpr int lattices = 16, points = 4000;
@@ -105,7 +105,7 @@ Mean transported(const OneSurface& surface, TransportMode mode) {
       const Scattered s = scatter(at, wo, u(3), {u(4), u(5)}, mode);
       if (!s.valid) continue;
       const bool from_camera = mode == TransportMode::radiance;
-      const float ends = from_camera ? camera(wo) * lamp(s.wi) : camera(s.wi) * lamp(wo);
+      const float ends = from_camera ? camera(wo) * light(s.wi) : camera(s.wi) * light(wo);
       mean += 4 * std::numbers::pi * double{ends * cosine(at.ng, wo) * s.weight.y} / points;
     }
     sum += mean;
@@ -136,7 +136,7 @@ bool in_twosided(Normals n) { return n == Normals::mapped_in_twosided || n == No
 
 class BothModes : public testing::TestWithParam<Normals> {};
 
-TEST_P(BothModes, carry_the_same_light_from_a_lamp_to_a_camera) {
+TEST_P(BothModes, carry_the_same_light_from_a_light_to_a_camera) {
   // A cosine forgotten or of the wrong normal is 10 % and more, a state of a map drawn with another chance than is said
   // 5 %; standard errors are 0.1 to 1 %, and under two maps 2 %.
   for (const Material& m : materials()) {

@@ -12,9 +12,9 @@ inline constexpr float segment_end = 1 - 0x1p-18f;
 
 inline constexpr std::uint32_t no_index = 0xFFFFFFFFu;
 
-/// A lamp's face that rays of a tracer leave, where those of a small scene name their primitive: this bit and its
+/// A light's face that rays of a tracer leave, where those of a small scene name their primitive: this bit and its
 /// number among all such faces (surface.h). Rays that end on it say so by another bit.
-inline constexpr std::uint32_t lamp_face = 0x80000000u, lamp_at_end = 0x40000000u;
+inline constexpr std::uint32_t light_face = 0x80000000u, light_at_end = 0x40000000u;
 
 struct Hit {
   std::uint32_t surface = no_index;  ///< index into Scene::surfaces; no_index on a miss

@@ -8,7 +8,7 @@ const std::vector<SkipRow>& skip_table() {
   static const std::vector<SkipRow> table{
       {Skip::bvh, "bvh", "Embree and its hierarchy"},
       {Skip::mis, "mis", "weights against lights that rays meet by themselves"},
-      {Skip::light_choice, "light-choice", "the random choice among lights"},
+      {Skip::light_sampling, "light-choice", "the random choice among lights"},
       {Skip::far_lights, "far-lights", "choosing lights that give a point little as often as others"},
       {Skip::direct_light, "direct-light", "direct light"},
       {Skip::bsdf_groups, "bsdf-groups", "sorting lanes by the kind of their BSDF"},
@@ -16,7 +16,7 @@ const std::vector<SkipRow>& skip_table() {
       {Skip::global_map, "global-map", "the global photon map"},
       {Skip::caustic_map, "caustic-map", "the caustic photon map"},
       {Skip::stray_photons, "stray-photons", "caustic photons that set out towards nothing specular"},
-      {Skip::camera_pilot, "camera-pilot", "samples beforehand that find where lamps are rarely seen"},
+      {Skip::camera_pilot, "camera-pilot", "samples beforehand that find where lights are rarely seen"},
       {Skip::surface_detail, "surface-detail", "texture coordinates, shading normals and nested BSDFs of every hit"},
   };
   return table;

@@ -11,7 +11,7 @@ namespace photonproof::inline renderer_core {
 enum class Skip : std::uint32_t {
   bvh,
   mis,
-  light_choice,
+  light_sampling,
   far_lights,
   direct_light,
   bsdf_groups,

@@ -90,8 +90,8 @@ TEST(skips, photons_aimed_at_specular_surfaces_bring_the_same_light_as_all) {
 }
 
 TEST(skips, lights_chosen_by_place_bring_the_same_light_as_those_chosen_by_flux) {
-  // 20 lamps, more than are chosen from a table, in a row over a floor: means over seeds agree within 4 standard errors
-  // of their difference.
+  // 20 lights, more than are chosen from a table, in a row over a floor: means over seeds agree within 4 standard
+  // errors of their difference.
   SceneDescription scene = test::floor_under_point_light(16);
   scene.emitters.clear();
   for (int i = 0; i < 20; ++i)
@@ -130,7 +130,7 @@ TEST(skips, the_plan_says_what_the_scene_does_not_need_and_why) {
       "skips\n"
       "  global-map          the global photon map: no two diffuse surfaces see each other\n"
       "  caustic-map         the caustic photon map: no specular surface\n"
-      "  camera-pilot        samples beforehand that find where lamps are rarely seen: no mirror and no smooth glass\n"
+      "  camera-pilot        samples beforehand that find where lights are rarely seen: no mirror and no smooth glass\n"
       "  bvh                 Embree and its hierarchy: 1 primitive, tested one after the other\n"
       "  bsdf-groups         sorting lanes by the kind of their BSDF: all BSDFs are of one kind\n"
       "  surface-detail      texture coordinates, shading normals and nested BSDFs of every hit: no textures, shading "

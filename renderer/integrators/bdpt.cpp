@@ -31,7 +31,7 @@ struct Vertex {
 /// Camera vertices of up to so many edges are joined to every light vertex.
 constexpr std::uint32_t joined_to_all = 16;
 
-/// What the draws of a history are for; light paths and camera paths have sequences of their own.
+/// What the draws of a path are for; light paths and camera paths have sequences of their own.
 namespace bdpt_dimension {
 constexpr std::uint32_t in_pixel = 0, lens = 1;
 constexpr std::uint32_t light = 0, position = 1, direction = 2;
@@ -47,26 +47,26 @@ class BidirectionalTracer : ScalarTracer {
       : ScalarTracer(scene, limits, pixels), grid_(grid) {}
 
   /// Radiance of a camera sample; what its light path brings to the lens is splatted. `light_path` is scratch.
-  Rgb sample(int x, int y, const Draws& camera_draws, const Draws& light_draws, std::vector<Vertex>& light_path,
-             ScalarWork& work) const {
+  Rgb sample(int x, int y, const PathSampler& camera_sampler, const PathSampler& light_sampler,
+             std::vector<Vertex>& light_path, ScalarWork& work) const {
     light_path.clear();
-    if (lights_->count() > 0) trace_light_path(light_draws, light_path, work);
-    return trace_camera_path(x, y, camera_draws, light_path, work);
+    if (lights_->count() > 0) trace_light_path(light_sampler, light_path, work);
+    return trace_camera_path(x, y, camera_sampler, light_path, work);
   }
 
  private:
-  void trace_light_path(const Draws& draws, std::vector<Vertex>& path, ScalarWork& work) const {
+  void trace_light_path(const PathSampler& draws, std::vector<Vertex>& path, ScalarWork& work) const {
     if (!within(2)) return;
     const LightStart start = lights_->emit(draws.one(bdpt_dimension::light), draws.two(bdpt_dimension::position),
                                            draws.two(bdpt_dimension::direction));
-    // Along the lamp's own surface its density is 0, which rounding draws once in some ten million.
+    // Along the light's own surface its density is 0, which rounding draws once in some ten million.
     if (!(max_component(start.flux) > 0 && start.pdfs.second > 0 && start.pdfs.first > 0)) return;
     Ray ray = first_ray(start);
     ++work.rays.photon;
     Vertex v;
-    v.throughput = start.flux * arriving_from_infinity(world_, start.is_infinite, outer_);
+    v.throughput = start.flux * arriving_from_infinity(scene_interface_, start.is_infinite, outer_);
     if (!(max_component(v.throughput) > 0)) return;
-    if (world_.has_media_or_bodies()) v.around = surroundings_at(world_, start.at.p, outer_);
+    if (scene_interface_.has_media_or_bodies()) v.around = surroundings_at(scene_interface_, start.at.p, outer_);
     for (v.edges = 1;; ++v.edges) {
       // One edge more leads to the lens.
       const Vec3f before = ray.origin;
@@ -84,7 +84,7 @@ class BidirectionalTracer : ScalarTracer {
     }
   }
 
-  Rgb trace_camera_path(int x, int y, const Draws& draws, const std::vector<Vertex>& light_path,
+  Rgb trace_camera_path(int x, int y, const PathSampler& draws, const std::vector<Vertex>& light_path,
                         ScalarWork& work) const {
     const Vec2<float> u_lens = draws.two(bdpt_dimension::lens);
     std::optional<Ray> first = camera_.ray(x, y, draws, grid_, bdpt_dimension::in_pixel, u_lens);
@@ -120,11 +120,11 @@ class BidirectionalTracer : ScalarTracer {
     }
   }
 
-  bool meet(Ray& ray, const Draws& draws, TransportMode mode, Vertex& v) const {
+  bool meet(Ray& ray, const PathSampler& draws, TransportMode mode, Vertex& v) const {
     v.back = -ray.direction;
     const float u_layer = draws.one(bdpt_dimension::at_vertex(v.edges, bdpt_dimension::layer));
     if (mode == TransportMode::radiance && v.edges == 1) return look(ray, v.around, u_layer, v.throughput, v.at);
-    return travel(world_, ray, v.around, u_layer, mode, v.throughput, v.at);
+    return travel(scene_interface_, ray, v.around, u_layer, mode, v.throughput, v.at);
   }
 
   /// Where a ray meets a surface edge-on, or where it starts, no density per area exists. Such rays have no share of
@@ -134,13 +134,13 @@ class BidirectionalTracer : ScalarTracer {
   }
 
   /// What arrives of light between the vertex and another point.
-  Rgb arriving(const Vertex& v, const SegmentEnd& to, const Draws& draws) const {
-    if (!world_.has_media_or_bodies()) return Rgb(world_.visible(end_at(v.at), to) ? 1.0f : 0.0f);
-    return transmittance(world_, end_at(v.at), to, towards(v, to), {}, draws, bdpt_dimension::segment);
+  Rgb arriving(const Vertex& v, const SegmentEnd& to, const PathSampler& draws) const {
+    if (!scene_interface_.has_media_or_bodies()) return Rgb(scene_interface_.visible(end_at(v.at), to) ? 1.0f : 0.0f);
+    return transmittance(scene_interface_, end_at(v.at), to, towards(v, to), {}, draws, bdpt_dimension::segment);
   }
   Surroundings towards(const Vertex& v, const SegmentEnd& to) const {
     Surroundings around = v.around;
-    if (world_.has_media_or_bodies()) around.leave(world_, v.at, v.back, to.p - v.at.p);
+    if (scene_interface_.has_media_or_bodies()) around.leave(scene_interface_, v.at, v.back, to.p - v.at.p);
     return around;
   }
 
@@ -151,7 +151,7 @@ class BidirectionalTracer : ScalarTracer {
 
   /// Draws the next direction and plays roulette; false where the subpath ends. `full` is the throughput that roulette
   /// compares with.
-  bool go_on(Vertex& v, const Draws& draws, TransportMode mode, float full, Ray& ray) const {
+  bool go_on(Vertex& v, const PathSampler& draws, TransportMode mode, float full, Ray& ray) const {
     const Scattered next = scatter(v.at, v.back, draws.one(bdpt_dimension::at_vertex(v.edges, bdpt_dimension::lobe)),
                                    draws.two(bdpt_dimension::at_vertex(v.edges, bdpt_dimension::next)), mode);
     if (!next.valid) return false;
@@ -174,8 +174,8 @@ class BidirectionalTracer : ScalarTracer {
       if (draws.one(bdpt_dimension::at_vertex(v.edges, bdpt_dimension::roulette)) >= q) return false;
       v.throughput *= 1 / q;
     }
-    if (world_.has_media_or_bodies()) v.around.leave(world_, v.at, v.back, next.wi);
-    ray = world_.leave(v.at, next.wi);
+    if (scene_interface_.has_media_or_bodies()) v.around.leave(scene_interface_, v.at, v.back, next.wi);
+    ray = scene_interface_.leave(v.at, next.wi);
     return true;
   }
 
@@ -200,7 +200,7 @@ class BidirectionalTracer : ScalarTracer {
     return {a * a, b * b};
   }
 
-  /// Density with which light paths start as the lamp was met, times that of going on.
+  /// Density with which light paths start as the light was met, times that of going on.
   static double emitting(const EmissionPdfs<float>& pdfs) {
     return double{light_goes_on} * double{pdfs.first} * double{pdfs.second};
   }
@@ -230,7 +230,7 @@ class BidirectionalTracer : ScalarTracer {
   }
 
   /// s = 1: a light's point drawn for this vertex.
-  Rgb join_light(const Vertex& v, const Draws& draws, ScalarWork& work) const {
+  Rgb join_light(const Vertex& v, const PathSampler& draws, ScalarWork& work) const {
     const LightSeen seen =
         lights_->sample(v.at.p, draws.one(bdpt_dimension::at_vertex(v.edges, bdpt_dimension::end_choice)),
                         draws.two(bdpt_dimension::at_vertex(v.edges, bdpt_dimension::end_point)));
@@ -255,13 +255,13 @@ class BidirectionalTracer : ScalarTracer {
   }
 
   /// t = 1: the light vertex as the camera sees it.
-  void join_lens(const Vertex& v, const Draws& draws, ScalarWork& work) const {
+  void join_lens(const Vertex& v, const PathSampler& draws, ScalarWork& work) const {
     if (is_hidden(v.at)) return;
     const std::optional<CameraSeen> seen =
         camera_.connect(v.at.p, draws.two(bdpt_dimension::at_vertex(v.edges, bdpt_dimension::end_point)));
     if (!seen) return;
     Interaction other;
-    const Interaction& at = world_.seen_from(v.at, seen->wi, other);
+    const Interaction& at = scene_interface_.seen_from(v.at, seen->wi, other);
     const Rgb value = v.throughput * evaluate(at, seen->wi, v.back, TransportMode::importance) * seen->density;
     if (!(max_component(value) > 0)) return;
     ++work.rays.shadow;
@@ -274,7 +274,7 @@ class BidirectionalTracer : ScalarTracer {
   }
 
   /// A camera vertex and the light vertices that are within the limits, which are the path's first.
-  Rgb join_light_path(const Vertex& c, const std::vector<Vertex>& light_path, const Draws& draws,
+  Rgb join_light_path(const Vertex& c, const std::vector<Vertex>& light_path, const PathSampler& draws,
                       ScalarWork& work) const {
     std::size_t count = light_path.size();
     while (count > 0 && !within(c.edges + light_path[count - 1].edges + 1)) --count;
@@ -291,7 +291,7 @@ class BidirectionalTracer : ScalarTracer {
   }
 
   /// A camera vertex and a light vertex.
-  Rgb join(const Vertex& c, const Vertex& l, const Draws& draws, ScalarWork& work) const {
+  Rgb join(const Vertex& c, const Vertex& l, const PathSampler& draws, ScalarWork& work) const {
     const Vec3f d = l.at.p - c.at.p;
     const float distance2 = length_squared(d);
     if (!(distance2 > 0)) return Rgb(0.0f);
@@ -299,7 +299,7 @@ class BidirectionalTracer : ScalarTracer {
     const Rgb f_camera = evaluate(c.at, c.back, to_light, TransportMode::radiance);
     if (!(max_component(f_camera) > 0)) return Rgb(0.0f);
     Interaction other;
-    const Interaction& at_light = world_.seen_from(l.at, -to_light, other);
+    const Interaction& at_light = scene_interface_.seen_from(l.at, -to_light, other);
     const Rgb f_light = evaluate(at_light, -to_light, l.back, TransportMode::importance);
     const Rgb value = c.throughput * f_camera * f_light * l.throughput * (1 / distance2);
     if (!(max_component(value) > 0)) return Rgb(0.0f);
@@ -333,11 +333,12 @@ void render_bdpt(const Scene& scene, const RenderPlan& plan, const RenderJob& jo
   const BidirectionalTracer tracer(scene, std::get<BdptDescription>(plan.method.method), job.grid,
                                    static_cast<std::int64_t>(pixels));
   render_splats(scene, job, bdpt_stream, "bidirectional path tracing", film, stats, [&] {
-    return [&, light_path = std::vector<Vertex>()](int x, int y, const Draws& draws, ScalarWork& work) mutable {
+    return [&, light_path = std::vector<Vertex>()](int x, int y, const PathSampler& draws, ScalarWork& work) mutable {
       const auto pixel = static_cast<std::uint64_t>(y - film.window().y0) * static_cast<std::uint64_t>(film.width()) +
                          static_cast<std::uint64_t>(x - film.window().x0);
-      const Draws light_draws = draws_of_history(job.sampler, job.seed, ptracer_stream, draws.index * pixels + pixel);
-      return tracer.sample(x, y, draws, light_draws, light_path, work);
+      const PathSampler light_sampler =
+          sampler_of_path(job.sampler, job.seed, ptracer_stream, draws.index * pixels + pixel);
+      return tracer.sample(x, y, draws, light_sampler, light_path, work);
     };
   });
 }

@@ -45,7 +45,7 @@ bool may_throw_light_of_points(const SceneDescription& description) {
 std::string advice(const SceneDescription& description, bool any_scatters) {
   if (!may_throw_light_of_points(description)) return "use 'volpath'";
   return any_scatters
-             ? "'volpath' does, without the light of lamps without size that mirrors, glass or clear coats send "
+             ? "'volpath' does, without the light of lights without size that mirrors, glass or clear coats send "
                "on: no integrator of this program finds that in such media"
              : "use 'bdpt'";
 }
@@ -102,15 +102,15 @@ void check_job(const RenderJob& job, const IntegratorDescription& method) {
   if (job.budget.photons && !row.heeds.photons) refuse("--photons", "stores no photons");
   if (job.budget.photons && job.budget.seconds)
     throw InputError("--photons", "does nothing with --seconds, which decides how many there are");
-  if (job.view == View::cache_records && row.heeds.view &&
+  if (job.view == Aov::cache_records && row.heeds.view &&
       !std::holds_alternative<PhotonMapperDescription>(method.method))
     refuse("--view cache-records", "has no irradiance cache");
   if (job.budget.target_error && !row.heeds.target_error)
     throw InputError("--target-error", "integrator '" + std::string(row.name) +
                                            "' cannot tell its own error: give it another budget and compare its image");
   if (job.grid > 0 && !row.heeds.grid) refuse("--grid", "does not choose where in a pixel its samples are");
-  if (job.view != View::whole && !row.heeds.view) refuse("--view", "makes no photon maps");
-  if (job.grid > 0 && job.view == View::photons)
+  if (job.view != Aov::whole && !row.heeds.view) refuse("--view", "makes no photon maps");
+  if (job.grid > 0 && job.view == Aov::photons)
     throw InputError("--grid", "does nothing with --view photons, which takes no camera samples");
   if (!job.isa.empty() && !row.heeds.isa) refuse("--isa", "has no kernels");
 }

@@ -106,7 +106,7 @@ TEST(check_job, refuses_options_that_would_do_nothing) {
 
 TEST(check_job, refuses_views_of_integrators_without_photon_maps) {
   RenderJob job;
-  job.view = View::caustics;
+  job.view = Aov::caustics;
   for (const Integrator& row : integrators()) {
     const bool has_maps = row.name == std::string("photonmapper") || row.name == std::string("sppm");
     EXPECT_EQ(said([&] { check_job(job, with_integrator({}, row.name)); }),
@@ -116,11 +116,11 @@ TEST(check_job, refuses_views_of_integrators_without_photon_maps) {
   }
   job.grid = 2;
   EXPECT_EQ(said([&] { check_job(job, with_integrator({}, "photonmapper")); }), "");
-  job.view = View::cache_records;
+  job.view = Aov::cache_records;
   EXPECT_EQ(said([&] { check_job(job, with_integrator({}, "photonmapper")); }), "");
   EXPECT_EQ(said([&] { check_job(job, with_integrator({}, "sppm")); }),
             "--view cache-records: error: does nothing with integrator 'sppm', which has no irradiance cache");
-  job.view = View::photons;
+  job.view = Aov::photons;
   EXPECT_EQ(said([&] { check_job(job, with_integrator({}, "photonmapper")); }),
             "--grid: error: does nothing with --view photons, which takes no camera samples");
 }

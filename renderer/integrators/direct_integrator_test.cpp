@@ -42,7 +42,7 @@ TEST(direct, is_the_path_tracer_cut_after_two_edges) {
   EXPECT_EQ(test::render(scene, "path", job).image.mean.rgb, render_direct_of(scene, 1, 1, 16).image.mean.rgb);
 }
 
-TEST(direct, strategies_agree_and_mirrors_show_the_lamp_in_each) {
+TEST(direct, strategies_agree_and_mirrors_show_the_light_in_each) {
   // Means over the image within 4 standard errors, of which the films know (an upper bound for stratified samples).
   const SceneDescription scene = test::room(24, true);
   const test::Rendered both = render_direct_of(scene, 1, 1, 4096);

@@ -12,9 +12,9 @@
 namespace photonproof::inline renderer_integrators {
 namespace {
 
-constexpr std::size_t by_embree = 0, by_small_kernel = small_scene_limit;
+constexpr std::size_t by_embree = 0, by_small_kernel = brute_force_limit;
 
-/// The room, its lamp unseen, since those few bright pixels would carry most of the mean's noise.
+/// The room, its light unseen, since those few bright pixels would carry most of the mean's noise.
 SceneDescription dim_room(int size, bool with_balls, const char* integrator) {
   SceneDescription scene = test::room(size, with_balls);
   if (std::string(integrator) == "path") {

@@ -52,7 +52,7 @@ std::vector<Integrator> integrators_in_batches() {
   };
 }
 
-std::vector<Integrator> integrators_of_one_history() {
+std::vector<Integrator> integrators_of_one_path() {
   return {
       {.name = "bdpt",
        .summary = "unbiased bidirectional path tracing: every way of making a path, weighted against the others",
@@ -96,7 +96,7 @@ std::vector<Integrator> integrators_of_one_history() {
 const std::vector<Integrator>& integrators() {
   static const std::vector<Integrator> table = [] {
     std::vector<Integrator> all = integrators_in_batches();
-    for (const Integrator& row : integrators_of_one_history()) all.push_back(row);
+    for (const Integrator& row : integrators_of_one_path()) all.push_back(row);
     return all;
   }();
   return table;
@@ -122,10 +122,10 @@ RenderPlan plan_render(const SceneFacts& facts, const IntegratorDescription& met
   row.plan(method, planner);
   RenderPlan plan = planner.plan();
   plan.method = method;
-  plan.scene.hides_lamps = method.limits().hide_emitters;
+  plan.scene.hides_lights = method.limits().hide_emitters;
   plan.integrator = name;
   plan.view = job.view;
-  plan.may_lose_light = job.view == View::whole && may_lose_light(facts, name);
+  plan.may_lose_light = job.view == Aov::whole && may_lose_light(facts, name);
   const Kernels& kernels = job.kernels();
   plan.isa = kernels.isa;
   plan.lanes = kernels.path.lanes;

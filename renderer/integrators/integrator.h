@@ -13,13 +13,13 @@
 
 namespace photonproof::inline renderer_integrators {
 
-/// The code of ours that integrators run beside what all of them share (CONTRIBUTING, "A batch's life" and "One history
+/// The code of ours that integrators run beside what all of them share (CONTRIBUTING, "A batch's life" and "One path
 /// at a time"), as sentences on those that fail together name it.
 namespace part {
-constexpr const char *direct = "direct light", *weights = "weights of lamps that bounces meet",
+constexpr const char *direct = "direct light", *weights = "weights of lights that bounces meet",
                      *diffuse = "diffuse bounces", *specular = "mirrors and glass",
-                     *camera_paths = "camera paths of one history at a time",
-                     *light_paths = "light paths of one history at a time";
+                     *camera_paths = "camera paths of one path at a time",
+                     *light_paths = "light paths of one path at a time";
 }  // namespace part
 
 struct Integrator {
@@ -48,7 +48,7 @@ struct Integrator {
   const char* sampling = nullptr;
 
   /// Up to how many primitives it traces rays without Embree.
-  std::size_t small_limit() const { return heeds.isa ? small_scene_limit : small_scene_limit_of_single_rays; }
+  std::size_t small_limit() const { return heeds.isa ? brute_force_limit : brute_force_limit_of_single_rays; }
 };
 
 const std::vector<Integrator>& integrators();

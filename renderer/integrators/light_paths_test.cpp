@@ -18,7 +18,7 @@ using test::job_with;
 
 constexpr int seeds = 12, size = 24, block = 8;
 
-SceneDescription unlit_lamp_room() {
+SceneDescription unlit_light_room() {
   SceneDescription scene = test::room(size, false);
   scene.integrator.method = PathDescription{{-1, 5, true}};
   return scene;
@@ -26,7 +26,7 @@ SceneDescription unlit_lamp_room() {
 
 TEST(film, variances_of_splats_are_those_that_seeds_show) {
   // The mean over pixels of the estimated variance of the mean against the sample variance over seeds.
-  const SceneDescription scene = unlit_lamp_room();
+  const SceneDescription scene = unlit_light_room();
   for (const char* integrator : {"ptracer", "bdpt"}) {
     std::vector<double> sum(3 * size * size), squares(3 * size * size);
     double estimated = 0;
@@ -64,7 +64,7 @@ TEST(ptracer, says_that_light_from_infinity_does_not_reach_a_plane_to_its_horizo
 // A splat of this Gaussian spans 6.2 pixels, of which some lie beyond the block's edge.
 TEST(film, neighbours_that_splats_span_vary_together_as_the_image_says) {
   constexpr int many = 60;
-  SceneDescription scene = unlit_lamp_room();
+  SceneDescription scene = unlit_light_room();
   scene.sensor.film.filter = {ReconstructionFilter::Kind::gaussian, 0.7, 1};
   std::vector<double> sum, squares;
   double stated = 0, spans = 0;

@@ -38,7 +38,7 @@ constexpr float cells_a_radius = 16;
 namespace survey_dimension {
 constexpr std::uint32_t in_pixel = 0, lens = 1, light = 2, position = 3, direction = 4;
 constexpr std::uint32_t first_vertex = 8, of_vertex = 6, segment = 0x80000000u;
-enum What : std::uint32_t { layer, lobe, next, light_choice, light_point, roulette };
+enum What : std::uint32_t { layer, lobe, next, light_sampling, light_point, roulette };
 constexpr std::uint32_t at_vertex(std::uint32_t edges, What what) { return first_vertex + edges * of_vertex + what; }
 }  // namespace survey_dimension
 
@@ -68,8 +68,8 @@ class LightSurvey : ScalarTracer {
   /// Adds what all paths bring.
   void run() {
     for (std::uint64_t i = 0; i < survey_paths; ++i) {
-      if (!scatters_in_media_) trace_from_camera(draws_of_history(SamplerKind::sobol, 0, survey_camera_stream, i));
-      if (lights_->count() > 0) trace_from_light(draws_of_history(SamplerKind::sobol, 0, survey_light_stream, i));
+      if (!scatters_in_media_) trace_from_camera(sampler_of_path(SamplerKind::sobol, 0, survey_camera_stream, i));
+      if (lights_->count() > 0) trace_from_light(sampler_of_path(SamplerKind::sobol, 0, survey_light_stream, i));
     }
     add_what_is_seen_of_cells();
   }
@@ -114,11 +114,12 @@ class LightSurvey : ScalarTracer {
   char turn_of(const Interaction& at, const Scattered& next, const Vec3f& wo) const {
     if (next.straight) return turn::goes_straight;
     if (next.delta) return turn::is_thrown;
-    return looked_up_share(at, wo, next.wi, world_.view().rough_limit) > 0.5 ? turn::scatters : turn::glitters;
+    return looked_up_share(at, wo, next.wi, scene_interface_.view().rough_limit) > 0.5 ? turn::scatters
+                                                                                       : turn::glitters;
   }
 
   /// False where roulette ends it.
-  static bool goes_on(const Draws& draws, std::uint32_t edges, float first, Rgb& throughput) {
+  static bool goes_on(const PathSampler& draws, std::uint32_t edges, float first, Rgb& throughput) {
     if (!(max_component(throughput) > 0)) return false;
     if (edges < roulette_from) return true;
     const float q = std::min(0.95f, max_component(throughput) / first);
@@ -128,13 +129,13 @@ class LightSurvey : ScalarTracer {
   }
 
   Rgb arriving(const Interaction& at, const Vec3f& back, const SegmentEnd& to, Surroundings around,
-               const Draws& draws) const {
-    around.leave(world_, at, back, to.p - at.p);
-    return transmittance(world_, end_at(at), to, around, {}, draws, survey_dimension::segment);
+               const PathSampler& draws) const {
+    around.leave(scene_interface_, at, back, to.p - at.p);
+    return transmittance(scene_interface_, end_at(at), to, around, {}, draws, survey_dimension::segment);
   }
 
-  void trace_from_camera(const Draws& draws) {
-    const int width = world_.scene().width, height = world_.scene().height;
+  void trace_from_camera(const PathSampler& draws) {
+    const int width = scene_interface_.scene().width, height = scene_interface_.scene().height;
     const Vec2<float> place = draws.two(survey_dimension::light);
     const int x = std::min(width - 1, static_cast<int>(place.x * static_cast<float>(width)));
     const int y = std::min(height - 1, static_cast<int>(place.y * static_cast<float>(height)));
@@ -148,8 +149,8 @@ class LightSurvey : ScalarTracer {
     for (std::uint32_t edges = 1; within(edges) && edges <= most_edges; ++edges) {
       const auto draw = [&](survey_dimension::What what) { return survey_dimension::at_vertex(edges, what); };
       Interaction at;
-      if (!travel(world_, *ray, around, draws.one(draw(survey_dimension::layer)), TransportMode::radiance, throughput,
-                  at) ||
+      if (!travel(scene_interface_, *ray, around, draws.one(draw(survey_dimension::layer)), TransportMode::radiance,
+                  throughput, at) ||
           (edges == 1 && camera_.beyond_far_plane(at.p))) {
         if (!sampled && shows_lights(edges))
           add(false, turns, brightness(throughput * lights_->environment_radiance(ray->direction)));
@@ -175,40 +176,40 @@ class LightSurvey : ScalarTracer {
         turns.insert(turns.begin(), t);
       sampled = !next.delta;
       by_deltas = by_deltas && next.delta;
-      around.leave(world_, at, wo, next.wi);
-      ray = world_.leave(at, next.wi);
+      around.leave(scene_interface_, at, wo, next.wi);
+      ray = scene_interface_.leave(at, next.wi);
     }
   }
 
   void add_direct_light(const Interaction& at, const Vec3f& wo, const Rgb& throughput, const Surroundings& around,
-                        const std::string& turns, const Draws& draws, std::uint32_t edges) {
+                        const std::string& turns, const PathSampler& draws, std::uint32_t edges) {
     const LightSeen seen =
-        lights_->sample(at.p, draws.one(survey_dimension::at_vertex(edges, survey_dimension::light_choice)),
+        lights_->sample(at.p, draws.one(survey_dimension::at_vertex(edges, survey_dimension::light_sampling)),
                         draws.two(survey_dimension::at_vertex(edges, survey_dimension::light_point)));
     if (!(seen.pdf > 0)) return;
     const Rgb value = throughput * evaluate(at, wo, seen.wi, TransportMode::radiance) * seen.radiance * (1 / seen.pdf);
     if (!(max_component(value) > 0)) return;
-    add_turn(seen.is_delta, "", turns, looked_up_share(at, wo, seen.wi, world_.view().rough_limit),
+    add_turn(seen.is_delta, "", turns, looked_up_share(at, wo, seen.wi, scene_interface_.view().rough_limit),
              brightness(value * arriving(at, wo, lights_.end(seen), around, draws)));
   }
 
   /// Follows a light without size, as far as its first surface throws it on.
-  void trace_from_light(const Draws& draws) {
+  void trace_from_light(const PathSampler& draws) {
     const LightStart start = lights_->emit(draws.one(survey_dimension::light), draws.two(survey_dimension::position),
                                            draws.two(survey_dimension::direction));
-    Rgb throughput = start.flux * arriving_from_infinity(world_, start.is_infinite, outer_);
+    Rgb throughput = start.flux * arriving_from_infinity(scene_interface_, start.is_infinite, outer_);
     if (scatters_in_media_) whole_ += brightness(start.flux);
     if (!start.is_delta || !(max_component(throughput) > 0)) return;
     const float first = max_component(throughput);
     Ray ray = first_ray(start);
-    Surroundings around = surroundings_at(world_, start.at.p, outer_);
+    Surroundings around = surroundings_at(scene_interface_, start.at.p, outer_);
     std::string turns;
     for (std::uint32_t edges = 1; within(edges + 1) && edges <= most_edges; ++edges) {
       const auto draw = [&](survey_dimension::What what) { return survey_dimension::at_vertex(edges, what); };
       if (is_bent(turns) && is_in_fog(around)) return add_to_fog(turns, throughput);
       Interaction at;
-      if (!travel(world_, ray, around, draws.one(draw(survey_dimension::layer)), TransportMode::importance, throughput,
-                  at))
+      if (!travel(scene_interface_, ray, around, draws.one(draw(survey_dimension::layer)), TransportMode::importance,
+                  throughput, at))
         return;
       const Vec3f to_light = -ray.direction;
       if (!turns.empty() && has_smooth(at.bsdf)) {
@@ -225,15 +226,15 @@ class LightSurvey : ScalarTracer {
       throughput *= next.weight;
       if (!goes_on(draws, edges, first, throughput)) return;
       if (const char t = turn_of(at, next, to_light); t != turn::scatters || !turns.ends_with(twice)) turns += t;
-      around.leave(world_, at, to_light, next.wi);
-      ray = world_.leave(at, next.wi);
+      around.leave(scene_interface_, at, to_light, next.wi);
+      ray = scene_interface_.leave(at, next.wi);
     }
   }
 
   bool shows_lights(std::uint32_t edges) const { return edges > 1 || !limits_.hide_emitters; }
   static bool is_bent(const std::string& turns) { return turns.find(turn::is_thrown) != std::string::npos; }
   bool is_in_fog(const Surroundings& around) const {
-    return around.medium() != no_index && world_.scene().media.media[around.medium()].scatters;
+    return around.medium() != no_index && scene_interface_.scene().media.media[around.medium()].scatters;
   }
   /// Where media scatter all of it counts that arrives somewhere: how much the camera sees of it is not known.
   void add_to_fog(const std::string& turns, const Rgb& throughput) {
@@ -241,15 +242,15 @@ class LightSurvey : ScalarTracer {
   }
 
   void join_camera(const Interaction& at, const Vec3f& to_light, const Rgb& throughput, const Surroundings& around,
-                   const std::string& turns, const Draws& draws, std::uint32_t edges) {
+                   const std::string& turns, const PathSampler& draws, std::uint32_t edges) {
     const std::optional<CameraSeen> seen =
         camera_.connect(at.p, draws.two(survey_dimension::at_vertex(edges, survey_dimension::light_point)));
     if (!seen) return;
     Interaction other;
-    const Interaction& from_there = world_.seen_from(at, seen->wi, other);
+    const Interaction& from_there = scene_interface_.seen_from(at, seen->wi, other);
     const Rgb value = throughput * evaluate(from_there, seen->wi, to_light, TransportMode::importance) * seen->density;
     if (!(max_component(value) > 0)) return;
-    add_turn(true, turns, "", looked_up_share(from_there, seen->wi, to_light, world_.view().rough_limit),
+    add_turn(true, turns, "", looked_up_share(from_there, seen->wi, to_light, scene_interface_.view().rough_limit),
              brightness(value * arriving(at, to_light, seen->end, around, draws)));
   }
 

@@ -103,7 +103,7 @@ TEST(light_survey, a_sky_alone_is_lost_to_nobody) {
 /// A room lit by a point, with a ball of `model` in it.
 SceneDescription room_with_a_point(const decltype(BsdfDescription::model)& model) {
   SceneDescription scene = test::room(16, false);
-  scene.shapes.pop_back();  // its lamp
+  scene.shapes.pop_back();  // its light
   scene.emitters.push_back({{}, "", PointLightDescription{{0, 0.9, 0}, RgbD(1)}});
   add_shape(scene, SphereDescription{{0.3, -0.5, 0.2}, 0.35}, {}, add_bsdf(scene, model));
   scene.integrator.method = PathDescription{-1, 24, false};
@@ -128,15 +128,15 @@ std::vector<Lossy> lossy_scenes() {
   coat.diffuse_reflectance = RgbD(0.1);
   SceneDescription shallow = room_with_a_point(glass());
   shallow.integrator.method = PathDescription{2, 24, false};
-  SceneDescription lamp = test::room(16, true);
-  lamp.integrator.method = PathDescription{-1, 24, false};
+  SceneDescription light = test::room(16, true);
+  light.integrator.method = PathDescription{-1, 24, false};
   return {
       {"a point's light through glass", room_with_a_point(glass()), {"path", "volpath", "ptracer"}},
       {"a point's light off a mirror", room_with_a_point(ConductorDescription{}), {"path", "volpath", "ptracer"}},
       {"a point's light off a clear coat", room_with_a_point(coat), {"path", "volpath", "ptracer"}},
       {"a point's light among what only scatters", room_with_a_point(DiffuseDescription{}), {}},
       {"two edges, too few for a caustic", shallow, {}},
-      {"a lamp's light by mirror and glass", lamp, {"ptracer"}},
+      {"a light's light by mirror and glass", light, {"ptracer"}},
   };
 }
 
@@ -164,7 +164,7 @@ TEST(light_survey, advises_an_integrator_that_shows_the_light) {
   ASSERT_TRUE(lost);
   EXPECT_THAT(lost->finders, testing::Contains("photonmapper"));
   EXPECT_THAT(lost->finders, testing::Not(testing::Contains(testing::AnyOf("path", "volpath", "ptracer"))));
-  EXPECT_THAT(lost->text(), testing::StartsWith("integrator 'path' cannot find light of lamps without size that"));
+  EXPECT_THAT(lost->text(), testing::StartsWith("integrator 'path' cannot find light of lights without size that"));
 }
 
 // In fog nobody finds a point's light that glass sends on.

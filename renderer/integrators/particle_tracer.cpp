@@ -1,5 +1,5 @@
 // Light tracing (Arvo 1986; Dutre, Lafortune, Willems 1993): paths start at the lights, in proportion to their flux,
-// and every vertex that scatters into more than single directions is connected to the camera. With N histories over an
+// and every vertex that scatters into more than single directions is connected to the camera. With N paths over an
 // image of P pixels a vertex of throughput b adds to the pixel it is seen in
 //   P/N b f |cos| q V
 // where q is the density, over the whole image, with which camera rays would have ended there (CameraSeen::density):
@@ -21,7 +21,7 @@
 namespace photonproof::inline renderer_integrators {
 namespace {
 
-/// What the draws of a history are for.
+/// What the draws of a path are for.
 namespace ptracer_dimension {
 constexpr std::uint32_t light = 0, position = 1, direction = 2, seen_light = 3, seen_position = 4, seen_lens = 5;
 constexpr std::uint32_t segment = 0x80000000u;
@@ -37,22 +37,22 @@ class ParticleTracer : ScalarTracer {
   ParticleTracer(const Scene& scene, const PathLimits& limits, std::int64_t pixels)
       : ScalarTracer(scene, limits, pixels) {}
 
-  void trace(const Draws& draws, ScalarWork& work) const {
+  void trace(const PathSampler& draws, ScalarWork& work) const {
     if (lights_->count() == 0) return;
     if (!limits_.hide_emitters) show_light(draws, work);
     const LightStart start = lights_->emit(draws.one(ptracer_dimension::light), draws.two(ptracer_dimension::position),
                                            draws.two(ptracer_dimension::direction));
-    Rgb throughput = start.flux * arriving_from_infinity(world_, start.is_infinite, outer_);
+    Rgb throughput = start.flux * arriving_from_infinity(scene_interface_, start.is_infinite, outer_);
     if (!(max_component(throughput) > 0)) return;
     const Rgb first_throughput = throughput;
     Ray ray = first_ray(start);
-    Surroundings around = surroundings_at(world_, start.at.p, outer_);
+    Surroundings around = surroundings_at(scene_interface_, start.at.p, outer_);
     ++work.rays.photon;
     // `edges` from the light to the vertex; the one to the camera comes on top.
     for (std::uint32_t edges = 1; within(edges + 1); ++edges) {
       const auto draw = [&](std::uint32_t what) { return ptracer_dimension::at_vertex(edges, what); };
       Interaction at;
-      if (!travel(world_, ray, around, draws.one(draw(4)), TransportMode::importance, throughput, at)) return;
+      if (!travel(scene_interface_, ray, around, draws.one(draw(4)), TransportMode::importance, throughput, at)) return;
       const Vec3f to_light = -ray.direction;
       if (has_smooth(at.bsdf) && !is_hidden(at)) connect(at, to_light, throughput, around, draws, draw(0), work);
       if (!within(edges + 2)) return;
@@ -66,14 +66,14 @@ class ParticleTracer : ScalarTracer {
         if (draws.one(draw(3)) >= q) return;
         throughput *= 1 / q;
       }
-      around.leave(world_, at, to_light, next.wi);
-      ray = world_.leave(at, next.wi);
+      around.leave(scene_interface_, at, to_light, next.wi);
+      ray = scene_interface_.leave(at, next.wi);
       ++work.rays.bounce;
     }
   }
 
   /// What the camera sees of the environment itself.
-  Rgb environment(int x, int y, const Draws& draws, ScalarWork& work) const {
+  Rgb environment(int x, int y, const PathSampler& draws, ScalarWork& work) const {
     if (!lights_->environment() || limits_.hide_emitters || !within(1)) return Rgb(0.0f);
     std::optional<Ray> ray =
         camera_.ray(x, y, draws, 0, ptracer_dimension::in_pixel, draws.two(ptracer_dimension::lens));
@@ -87,18 +87,18 @@ class ParticleTracer : ScalarTracer {
   }
 
   /// Whether the middle of a pixel shows a surface, rather than the environment or nothing.
-  bool shows_surface(int x, int y, const Draws& draws) const {
+  bool shows_surface(int x, int y, const PathSampler& draws) const {
     constexpr int at_the_middle = 1;
     const std::optional<Ray> ray =
         camera_.ray(x, y, draws, at_the_middle, ptracer_dimension::in_pixel, draws.two(ptracer_dimension::lens));
     Interaction at;
-    return ray && world_.intersect(*ray, draws.one(ptracer_dimension::layer), TransportMode::radiance, at) &&
+    return ray && scene_interface_.intersect(*ray, draws.one(ptracer_dimension::layer), TransportMode::radiance, at) &&
            !camera_.beyond_far_plane(at.p);
   }
 
-  /// Whether a pixel shows so little that fewer than `paths` of so many histories a pixel would have arrived there if
+  /// Whether a pixel shows so little that fewer than `paths` of so many paths a pixel would have arrived there if
   /// it were as bright as `radiance`: one that none reached may be black by chance.
-  bool is_narrow(int x, int y, double radiance, double histories, double paths, const Draws& draws) const {
+  bool is_narrow(int x, int y, double radiance, double light_paths, double paths, const PathSampler& draws) const {
     constexpr int at_the_middle = 1;
     const Vec2<float> lens = draws.two(ptracer_dimension::lens);
     std::optional<Ray> ray = camera_.ray(x, y, draws, at_the_middle, ptracer_dimension::in_pixel, lens);
@@ -114,23 +114,24 @@ class ParticleTracer : ScalarTracer {
     const double arrives =
         double{max_component(start.flux * evaluate(at, seen->wi, above, TransportMode::importance))} *
         double{seen->density};
-    return arrives > 0 && radiance * histories < paths * arrives;
+    return arrives > 0 && radiance * light_paths < paths * arrives;
   }
 
  private:
   void connect(const Interaction& at, const Vec3f& to_light, const Rgb& throughput, Surroundings around,
-               const Draws& draws, std::uint32_t lens, ScalarWork& work) const {
+               const PathSampler& draws, std::uint32_t lens, ScalarWork& work) const {
     const std::optional<CameraSeen> seen = camera_.connect(at.p, draws.two(lens));
     if (!seen) return;
     Interaction other;
-    const Rgb f = evaluate(world_.seen_from(at, seen->wi, other), seen->wi, to_light, TransportMode::importance);
+    const Rgb f =
+        evaluate(scene_interface_.seen_from(at, seen->wi, other), seen->wi, to_light, TransportMode::importance);
     const Rgb value = throughput * f * seen->density;
-    around.leave(world_, at, to_light, seen->wi);
+    around.leave(scene_interface_, at, to_light, seen->wi);
     add(value, end_at(at), *seen, around, draws, work);
   }
 
   /// The light itself, by a point of its own.
-  void show_light(const Draws& draws, ScalarWork& work) const {
+  void show_light(const PathSampler& draws, ScalarWork& work) const {
     const LightStart start =
         lights_->emit(draws.one(ptracer_dimension::seen_light), draws.two(ptracer_dimension::seen_position),
                       draws.two(ptracer_dimension::direction));
@@ -139,11 +140,11 @@ class ParticleTracer : ScalarTracer {
     if (!seen) return;
     const Rgb emitted = lights_->radiance(start.light, start.at, seen->wi);
     add(emitted * (cosine(start.at.normal, seen->wi) * seen->density / start.pdfs.first), lights_.end(start), *seen,
-        surroundings_at(world_, start.at.p, outer_), draws, work);
+        surroundings_at(scene_interface_, start.at.p, outer_), draws, work);
   }
 
   void add(const Rgb& value, const SegmentEnd& from, const CameraSeen& seen, const Surroundings& around,
-           const Draws& draws, ScalarWork& work) const {
+           const PathSampler& draws, ScalarWork& work) const {
     if (!(max_component(value) > 0)) return;
     ++work.rays.shadow;
     const Rgb arrives = value * arriving_at_camera(from, seen.end, around, draws, ptracer_dimension::segment);
@@ -163,7 +164,7 @@ std::string few_paths_text(const char* format, double paths, std::size_t pixels)
   return text;
 }
 
-/// A lamp far away, or a view of a speck of the scene, is found by so few paths that none may have been among those
+/// A light far away, or a view of a speck of the scene, is found by so few paths that none may have been among those
 /// traced; so is a pixel at the edge of a view so wide that it shows next to nothing.
 void say_if_few_arrive(const Scene& scene, const ParticleTracer& tracer, const RenderJob& job, const Film& film,
                        RenderStats& stats) {
@@ -180,7 +181,7 @@ void say_if_few_arrive(const Scene& scene, const ParticleTracer& tracer, const R
     return std::pair{film.window().x0 + static_cast<int>(i % width), film.window().y0 + static_cast<int>(i / width)};
   };
   const auto draws_at = [&](std::size_t i) {
-    return draws_of_history(SamplerKind::independent, job.seed, ptracer_stream, i);
+    return sampler_of_path(SamplerKind::independent, job.seed, ptracer_stream, i);
   };
   for (std::size_t i = 0; i < image.pixels(); ++i) {
     if (!tracer.shows_surface(at(i).first, at(i).second, draws_at(i))) continue;
@@ -229,10 +230,10 @@ void render_particle_tracer(const Scene& scene, const RenderPlan& plan, const Re
   const ParticleTracer tracer(scene, std::get<ParticleTracerDescription>(plan.method.method),
                               static_cast<std::int64_t>(pixels));
   render_splats(scene, job, ptracer_stream, "light tracing", film, stats, [&] {
-    return [&](int x, int y, const Draws& draws, ScalarWork& work) {
+    return [&](int x, int y, const PathSampler& draws, ScalarWork& work) {
       const auto pixel = static_cast<std::uint64_t>(y - film.window().y0) * static_cast<std::uint64_t>(film.width()) +
                          static_cast<std::uint64_t>(x - film.window().x0);
-      tracer.trace(draws_of_history(job.sampler, job.seed, ptracer_stream, draws.index * pixels + pixel), work);
+      tracer.trace(sampler_of_path(job.sampler, job.seed, ptracer_stream, draws.index * pixels + pixel), work);
       return tracer.environment(x, y, draws, work);
     };
   });

@@ -1,5 +1,5 @@
 // The photon mapper where path tracing finds light between diffuse surfaces, with and without a caustic map beside it,
-// against closed forms and the path tracer, which finds caustics by rays that meet the lamp. That the views add up is
+// against closed forms and the path tracer, which finds caustics by rays that meet the light. That the views add up is
 // in views_test.cpp.
 
 #include <gtest/gtest.h>
@@ -71,21 +71,21 @@ void expect_agreement(const SceneDescription& scene, double most) {
   expect(path.lower, other.lower, path.lower_error, other.lower_error, "lower half");
 }
 
-/// The lamp unseen: its few bright pixels would carry most of the mean's noise.
-SceneDescription room_without_lamp(bool with_balls) {
+/// The light unseen: its few bright pixels would carry most of the mean's noise.
+SceneDescription room_without_light(bool with_balls) {
   SceneDescription scene = test::room(32, with_balls);
   scene.integrator.method = PathDescription{-1, 5, true};
   return scene;
 }
 
 TEST(path_beside_caustics, rooms_have_the_path_tracers_mean) {
-  expect_agreement(room_without_lamp(false), 0.001);
-  expect_agreement(room_without_lamp(true), 0.006);
+  expect_agreement(room_without_light(false), 0.001);
+  expect_agreement(room_without_light(true), 0.006);
 }
 
 TEST(path_beside_caustics, a_room_under_a_sky_has_the_path_tracers_mean) {
   // Bounces meet the sky, which light samples find, too; the mirror shows it unweighted, the glass throws it.
-  SceneDescription scene = room_without_lamp(true);
+  SceneDescription scene = room_without_light(true);
   scene.shapes.erase(scene.shapes.begin() + 2);  // the ceiling
   scene.emitters.push_back({{}, "", ConstantLightDescription{RgbD{0.5, 0.7, 1}}});
   expect_agreement(scene, 0.004);

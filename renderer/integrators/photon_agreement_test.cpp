@@ -1,7 +1,7 @@
 // The photon mapper against path tracing on every library scene that it renders and on meshes of every kind: means of
 // images and of blocks of 8 x 8 pixels, within what its radius and both sides' noise explain.
 //
-// Bias. A look-up averages the irradiance over what it counts. Where that is smooth the average is off by r^2/8 times
+// Bias. A gather averages the irradiance over what it counts. Where that is smooth the average is off by r^2/8 times
 // its Laplacian; at a border or a kink by a multiple of r; where it is infinite as 1/sqrt(x), as along the edges of
 // caustics, by a multiple of sqrt(r) at worst. So from the radius r to half of it a bias b loses between (1 - 1/sqrt 2)
 // b and all of b: with D what the same photons give at r less what they give at r/2, b is between D and 3.42 D, and the
@@ -121,7 +121,7 @@ Comparison compare(const SceneDescription& description, const Effort& effort) {
   };
   const auto method = [&](const char* name) {
     IntegratorDescription of_scene = with_integrator(description.integrator, name);
-    // What only shows lamps as they are would be most of the noise.
+    // What only shows lights as they are would be most of the noise.
     std::visit([](auto& limits) { limits.hide_emitters = true; }, of_scene.method);
     return of_scene;
   };
@@ -236,7 +236,7 @@ class PhotonAgreement : public testing::TestWithParam<std::string> {};
 
 TEST_P(PhotonAgreement, shows_what_path_tracing_shows) {
   Effort effort;
-  // Light from a direction or a small lamp through glass is found by light paths alone.
+  // Light from a direction or a small light through glass is found by light paths alone.
   if (GetParam() == "ball-lens" || GetParam() == "water-caustic") effort.reference = "ptracer";
   if (GetParam() == "caustic-glass" || GetParam() == "mirror-light") effort.reference = "bdpt";
   // Caustics of points, which light paths find on the board and on the balls of Phong. Those that mirror and glass show
@@ -319,8 +319,8 @@ INSTANTIATE_TEST_SUITE_P(library, FurtherAgreement, testing::Values("cornell", "
                          });
 
 // The slab from below against path as the radius goes to 0. At 0.01, half of the slab's thickness, a disc could not
-// reach its lit side if it tested nothing; at 0.2 it reaches it ten times over. At 0.01 a look-up finds two photons of
-// its pass's; 1e5 look-ups are 0.25 % of noise, as is the path tracer's.
+// reach its lit side if it tested nothing; at 0.2 it reaches it ten times over. At 0.01 a gather finds two photons of
+// its pass's; 1e5 gathers are 0.25 % of noise, as is the path tracer's.
 TEST(photon_agreement, of_the_slab_is_within_one_percent_at_every_radius) {
   const SceneDescription slab = test::slab_from_below(32);
   const double path = test::image_mean(test::render(slab, "path", test::job_with(2048)).image.mean);

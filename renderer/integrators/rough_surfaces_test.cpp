@@ -142,7 +142,7 @@ TEST(rough_surfaces, have_the_path_tracers_means_with_every_kind_of_indirect_lig
     expect_path_tracers_means(rough_room(phong.model), indirect, word_of(indirect));
 }
 
-// A blend stores photons by chance, and a look-up divides by it; the back of a twosided one has photons of its own.
+// A blend stores photons by chance, and a gather divides by it; the back of a twosided one has photons of its own.
 TEST(rough_surfaces, inside_blends_and_twosided_have_the_path_tracers_means) {
   SceneDescription scene = rough_room(materials()[5].model);
   const BsdfIndex phong = scene.shapes[1].bsdf;

@@ -11,7 +11,7 @@
 #include "renderer/integrators/test_scenes.h"
 #include "renderer/lanes/test_chi_square.h"
 #include "renderer/media/phase.h"
-#include "renderer/scalar/world.h"
+#include "renderer/scalar/scene_interface.h"
 #include "scenes/images/mean_error.h"
 
 namespace photonproof::inline renderer_integrators {
@@ -72,7 +72,7 @@ void expect_same(const Blocks& a, const Blocks& b, double percent, const std::st
   EXPECT_NEAR(mean_b / mean_a, 1, percent / 100) << what;
 }
 
-SceneDescription unlit_lamp_room(bool with_balls) {
+SceneDescription unlit_light_room(bool with_balls) {
   SceneDescription scene = test::room(size, with_balls);
   scene.integrator.method = PathDescription{{-1, 5, true}};
   return scene;
@@ -81,18 +81,18 @@ SceneDescription unlit_lamp_room(bool with_balls) {
 class Unbiased : public testing::TestWithParam<const char*> {};
 
 TEST_P(Unbiased, agrees_with_the_path_tracer_in_a_room) {
-  const SceneDescription scene = unlit_lamp_room(false);
+  const SceneDescription scene = unlit_light_room(false);
   expect_same(blocks_of(scene, "path", 64, 100), blocks_of(scene, GetParam(), 64, 200), 1, GetParam());
 }
 
-TEST_P(Unbiased, shows_the_lamp_itself) {
+TEST_P(Unbiased, shows_the_light_itself) {
   SceneDescription scene = test::room(size, false);
   scene.integrator.method = PathDescription{{1, 5, false}};
   expect_same(blocks_of(scene, "path", 64, 100), blocks_of(scene, GetParam(), 64, 200), 2, GetParam());
 }
 
 TEST_P(Unbiased, agrees_with_the_path_tracer_under_a_point_light) {
-  SceneDescription scene = unlit_lamp_room(false);
+  SceneDescription scene = unlit_light_room(false);
   scene.shapes.pop_back();
   scene.emitters.push_back({{}, "", PointLightDescription{{0.2, 0.5, 0.1}, RgbD(1)}});
   expect_same(blocks_of(scene, "path", 64, 100), blocks_of(scene, GetParam(), 64, 200), 1, GetParam());
@@ -100,7 +100,7 @@ TEST_P(Unbiased, agrees_with_the_path_tracer_under_a_point_light) {
 
 TEST_P(Unbiased, agrees_with_the_path_tracer_at_every_depth) {
   for (int depth = 2; depth <= 5; ++depth) {
-    SceneDescription scene = unlit_lamp_room(false);
+    SceneDescription scene = unlit_light_room(false);
     scene.integrator.method = PathDescription{{depth, 3, true}};
     expect_same(blocks_of(scene, "path", 32, 100), blocks_of(scene, GetParam(), 32, 200), 2,
                 GetParam() + std::string(" to depth ") + std::to_string(depth));
@@ -108,14 +108,14 @@ TEST_P(Unbiased, agrees_with_the_path_tracer_at_every_depth) {
 }
 
 TEST_P(Unbiased, agrees_with_the_path_tracer_under_a_sky) {
-  SceneDescription scene = unlit_lamp_room(false);
-  scene.shapes.erase(scene.shapes.begin() + 2);  // no ceiling, and the lamp stays
+  SceneDescription scene = unlit_light_room(false);
+  scene.shapes.erase(scene.shapes.begin() + 2);  // no ceiling, and the light stays
   scene.emitters.push_back({{}, "", ConstantLightDescription{RgbD(0.5)}});
   expect_same(blocks_of(scene, "path", 64, 100), blocks_of(scene, GetParam(), 64, 200), 1, GetParam());
 }
 
 TEST_P(Unbiased, agrees_with_the_path_tracer_on_what_the_clip_planes_cut) {
-  SceneDescription scene = unlit_lamp_room(false);
+  SceneDescription scene = unlit_light_room(false);
   std::get<PathDescription>(scene.integrator.method).hide_emitters = false;
   auto& camera = std::get<PerspectiveDescription>(scene.sensor.camera);
   camera.near_clip = 3.3;  // the walls' first fifth
@@ -171,17 +171,17 @@ INSTANTIATE_TEST_SUITE_P(scalar, Unbiased, testing::Values("bdpt", "ptracer", "v
                          [](const auto& name) { return std::string(name.param); });
 
 TEST(bdpt, agrees_with_the_path_tracer_by_mirrors_and_glass) {
-  const SceneDescription scene = unlit_lamp_room(true);
+  const SceneDescription scene = unlit_light_room(true);
   expect_same(blocks_of(scene, "path", 1024, 100), blocks_of(scene, "bdpt", 256, 200), 2, "bdpt");
 }
 
 TEST(volpath, agrees_with_the_path_tracer_by_mirrors_and_glass) {
-  const SceneDescription scene = unlit_lamp_room(true);
+  const SceneDescription scene = unlit_light_room(true);
   expect_same(blocks_of(scene, "path", 256, 100), blocks_of(scene, "volpath", 256, 200), 2, "volpath");
 }
 
 TEST(whitted, is_direct_light_where_nothing_is_specular) {
-  SceneDescription scene = unlit_lamp_room(false);
+  SceneDescription scene = unlit_light_room(false);
   scene.integrator.method = PathDescription{{2, 5, true}};
   expect_same(blocks_of(scene, "path", 64, 100), blocks_of(scene, "whitted", 64, 200), 1, "whitted");
 }
@@ -242,14 +242,14 @@ TEST(henyey_greenstein, draws_by_its_density) {
   }
 }
 
-/// A lamp of radiance 1 that just fills the view (0.035 across), 2 units before the camera, in a medium without end.
+/// A light of radiance 1 that just fills the view (0.035 across), 2 units before the camera, in a medium without end.
 /// Rays start on the near plane, 0.01 ahead of the camera, and so do the media on their way.
-SceneDescription lamp_in_medium(const HomogeneousDescription& medium) {
+SceneDescription light_in_medium(const HomogeneousDescription& medium) {
   SceneDescription scene;
-  ShapeDescription& lamp =
+  ShapeDescription& area_light =
       test::add_shape(scene, RectangleDescription{}, Transform::rotate({1, 0, 0}, 180) * Transform::scale(Vec3d(0.02)),
                       test::add_bsdf(scene, DiffuseDescription{RgbD(0)}));
-  lamp.radiance = RgbD(1);
+  area_light.radiance = RgbD(1);
   scene.media.push_back({{}, "", medium});
   scene.sensor.medium = MediumIndex{0};
   test::set_camera(scene, Transform::look_at({0, 0, -2}, {0, 0, 0}, {0, 1, 0}), 1, size);
@@ -259,7 +259,7 @@ SceneDescription lamp_in_medium(const HomogeneousDescription& medium) {
 
 TEST(media, absorption_is_beers_law) {
   // Half a degree around the axis, the distance is 2 - 0.01 to 4 parts in 10^5: e^(-1.99 sigma).
-  const SceneDescription scene = lamp_in_medium({{0.2, 0.5, 1.5}, RgbD(0), 1, {}});
+  const SceneDescription scene = light_in_medium({{0.2, 0.5, 1.5}, RgbD(0), 1, {}});
   for (const char* integrator : {"volpath", "bdpt"}) {
     const Image image = test::render(scene, integrator, job_with(2)).image.mean;
     for (std::size_t i = 0; i < image.rgb.size(); i += 3) {
@@ -271,12 +271,12 @@ TEST(media, absorption_is_beers_law) {
 }
 
 TEST(media, light_path_through_an_absorber_loses_as_much) {
-  const SceneDescription scene = lamp_in_medium({{0.2, 0.5, 1.5}, RgbD(0), 1, {}});
+  const SceneDescription scene = light_in_medium({{0.2, 0.5, 1.5}, RgbD(0), 1, {}});
   expect_same(blocks_of(scene, "volpath", 4, 1), blocks_of(scene, "ptracer", 64, 1), 5, "ptracer");
 }
 
 TEST(media, scattering_without_loss_leaves_uniform_light_as_it_is) {
-  // Albedo 1 inside a closed black lamp of radiance 1: L = 1 from everywhere, whatever the extinction of a channel.
+  // Albedo 1 inside a closed black light of radiance 1: L = 1 from everywhere, whatever the extinction of a channel.
   SceneDescription scene = test::furnace(0, 1, size);
   scene.media.push_back({{}, "", HomogeneousDescription{{0.5, 1, 3}, RgbD(1), 1, HenyeyGreensteinDescription{0.5}}});
   scene.shapes[0].exterior = MediumIndex{0};  // the normal points in
@@ -328,9 +328,9 @@ TEST(media, light_scattered_once_is_the_line_integral) {
   }
 }
 
-/// A glass ball under a sky before a lamp, with another ball of water in its middle.
+/// A glass ball under a sky before a light, with another ball of water in its middle.
 SceneDescription ball_in_ball(const DielectricDescription& outer, const std::optional<DielectricDescription>& inner) {
-  SceneDescription scene = unlit_lamp_room(false);
+  SceneDescription scene = unlit_light_room(false);
   test::add_shape(scene, SphereDescription{{0, -0.3, 0}, 0.6}, {}, test::add_bsdf(scene, outer));
   if (inner) test::add_shape(scene, SphereDescription{{0, -0.3, 0}, 0.4}, {}, test::add_bsdf(scene, *inner));
   return scene;
@@ -339,7 +339,7 @@ SceneDescription ball_in_ball(const DielectricDescription& outer, const std::opt
 TEST(straight_ways, come_to_an_end_where_coordinates_are_coarse) {
   // Of a ball that lies at 2e5, where floats are 1/64 apart: moved off the ball, the ray started where it had started.
   const Scene scene = test::compiled(test::furnace(0.5, 1, size), size, size);
-  const World world(scene);
+  const SceneInterface world(scene);
   const Vec3f start{-106496.453f, -131070.648f, 229376.688f}, direction{0.157587945f, 0.916875303f, -0.366750121f};
   Interaction ball;
   ball.p = {-106496.508f, -131070.609f, 229376.766f};

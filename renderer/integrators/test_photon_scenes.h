@@ -1,4 +1,4 @@
-// Scenes in which a surface has more than one tangent plane, or is thinner than a look-up is wide.
+// Scenes in which a surface has more than one tangent plane, or is thinner than a gather is wide.
 #pragma once
 
 #include <algorithm>
@@ -71,7 +71,7 @@ inline MeshDescription sphere_mesh(int level) {
   return mesh_of(positions, ball.triangles, true);
 }
 
-/// The closed room, its lamp not seen.
+/// The closed room, its light not seen.
 inline SceneDescription photon_room(int size) {
   SceneDescription scene = room(size, false);
   add_shape(scene, RectangleDescription{}, Transform::rotate({0, 1, 0}, 180) * Transform::translate({0, 0, -1}), {0});
@@ -80,7 +80,7 @@ inline SceneDescription photon_room(int size) {
   return scene;
 }
 
-/// A slab 0.02 thick under the lamp of a closed room, its dark side all that is seen: lit by the room, a tenth as much
+/// A slab 0.02 thick under the light of a closed room, its dark side all that is seen: lit by the room, a tenth as much
 /// as its other side.
 inline SceneDescription slab_from_below(int size) {
   SceneDescription scene = photon_room(size);
@@ -94,7 +94,7 @@ inline SceneDescription twosided_slab_from_below(int size) {
   SceneDescription scene = slab_from_below(size);
   const BsdfIndex grey = scene.shapes.back().bsdf;
   scene.shapes.back().bsdf = add_bsdf(scene, TwoSidedDescription{grey, grey});
-  // A sheet without thickness, which both sides of one surface show.
+  // A surface side without thickness, which both sides of one surface show.
   add_shape(scene, square_mesh(1),
             Transform::translate({0, -0.3, 0}) * Transform::rotate({1, 0, 0}, 90) * Transform::scale(Vec3d(0.25)),
             scene.shapes.back().bsdf);
@@ -114,8 +114,8 @@ inline SceneDescription mesh_sphere(int size) {
 /// The room's walls as one mesh, seen from inside, and a turned box on its floor.
 inline SceneDescription mesh_boxes(int size) {
   SceneDescription scene = photon_room(size);
-  const ShapeDescription lamp = scene.shapes[5];
-  scene.shapes = {lamp};
+  const ShapeDescription light = scene.shapes[5];
+  scene.shapes = {light};
   add_shape(scene, box_mesh(), {}, {0}).flip_normals = true;
   add_shape(
       scene, box_mesh(),

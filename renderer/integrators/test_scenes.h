@@ -59,7 +59,7 @@ inline SceneDescription floor_under_point_light(int size) {
   return scene;
 }
 
-/// A room [-1,1]^3 with coloured walls, a square lamp under its ceiling, a glass and a mirror ball.
+/// A room [-1,1]^3 with coloured walls, a square light under its ceiling, a glass and a mirror ball.
 inline SceneDescription room(int size, bool with_balls) {
   SceneDescription scene;
   const BsdfIndex white = add_bsdf(scene, DiffuseDescription{RgbD(0.7)});
@@ -70,11 +70,11 @@ inline SceneDescription room(int size, bool with_balls) {
   add_shape(scene, RectangleDescription{}, Transform::rotate({1, 0, 0}, 90) * inward, white);
   add_shape(scene, RectangleDescription{}, Transform::rotate({0, 1, 0}, 90) * inward, red);
   add_shape(scene, RectangleDescription{}, Transform::rotate({0, 1, 0}, -90) * inward, white);
-  ShapeDescription& lamp =
+  ShapeDescription& light =
       add_shape(scene, RectangleDescription{},
                 Transform::translate({0, 0.99, 0}) * Transform::rotate({1, 0, 0}, 90) * Transform::scale(Vec3d(0.25)),
                 add_bsdf(scene, DiffuseDescription{RgbD(0)}));
-  lamp.radiance = RgbD(10);
+  light.radiance = RgbD(10);
   if (with_balls) {
     DielectricDescription glass;
     glass.int_ior = 1.5;
@@ -110,7 +110,7 @@ inline void render(const Scene& scene, const IntegratorDescription& method, cons
 }
 
 inline Rendered render(const SceneDescription& description, const char* integrator, const RenderJob& job,
-                       std::size_t small_limit = small_scene_limit) {
+                       std::size_t small_limit = brute_force_limit) {
   const FilmDescription size = description.sensor.film;
   const Scene scene = test::compiled(description, size.width, size.height, job.skips, small_limit);
   Film film(size.width, size.height);

@@ -34,7 +34,7 @@ std::shared_ptr<const TriangleMesh> leaning_floor(double degrees) {
   return mesh;
 }
 
-/// The leaning floor and a wall at x = 1 that faces it; light from a lamp that reaches one of them, the camera at the
+/// The leaning floor and a wall at x = 1 that faces it; light from a light that reaches one of them, the camera at the
 /// other. Paths are light, one square, the other, camera.
 SceneDescription squares(double degrees, const Vec3d& light, const Transform& camera) {
   SceneDescription d;
@@ -105,7 +105,7 @@ TEST_P(LeaningNormals, the_light_they_gather_is_the_closed_form) {
   const double expected =
       floor_albedo * (view_factor * std::cos(a) + sideways * std::sin(a)) * wall_albedo * irradiance / std::numbers::pi;
   const SceneDescription scene = floor_by_wall(degrees);
-  expect_mean(scene, expected, 0.02, 1'000'000);  // at a mesh's edges look-ups lose
+  expect_mean(scene, expected, 0.02, 1'000'000);  // at a mesh's edges gathers lose
 }
 
 INSTANTIATE_TEST_SUITE_P(degrees, LeaningNormals, testing::Values(0, 20, 45, 60));
@@ -128,7 +128,7 @@ BitmapDescription rough_normals() {
 class MappedFloor : public testing::TestWithParam<MappedNormalsDescription> {};
 
 TEST_P(MappedFloor, is_the_same_to_all_integrators) {
-  // The floor lights the wall; and the floor is lit, by the lamp from a slant and by the wall, and seen from a slant,
+  // The floor lights the wall; and the floor is lit, by the light from a slant and by the wall, and seen from a slant,
   // where many normals are turned away. Mirroring them is 20 % of the light, shadowing 9 %. Standard errors are 0.2 %
   // of bdpt's mean, 0.3 % of the photons' and 0.6 % of the light tracer's.
   SceneDescription scenes[] = {wall_by_floor(0), squares(0, normalize(Vec3d(1, 0, -0.3)),
@@ -156,9 +156,10 @@ INSTANTIATE_TEST_SUITE_P(options, MappedFloor,
                                   (options.param.use_shadowing_function ? "_shadowed" : "_unshadowed");
                          });
 
-TEST(leaning_normals, of_a_lamp_do_not_emit) {
-  // The floor is the lamp, and the wall's radiance is albedo times the view factor's part of the floor's, whichever way
-  // the floor's shading normals lean: cosines to those would be 42 % more or 80 % less, their side dark for part of it.
+TEST(leaning_normals, of_a_light_do_not_emit) {
+  // The floor is the light, and the wall's radiance is albedo times the view factor's part of the floor's, whichever
+  // way the floor's shading normals lean: cosines to those would be 42 % more or 80 % less, their side dark for part of
+  // it.
   for (const double degrees : {-45.0, 45.0}) {
     SceneDescription scene = wall_by_floor(degrees);
     scene.emitters.clear();

@@ -3,7 +3,7 @@
 // and null surfaces between, and what directions find by themselves is weighted against that (power heuristic, Veach
 // 1997). Media that only absorb take their part of the throughput without a random number. As in Mitsuba's volpath,
 // surfaces that light goes straight through are no path vertices: they do not count as depth, and light sampling passes
-// them. Lamps that are hidden from the camera are none either, up to the first vertex.
+// them. Lights that are hidden from the camera are none either, up to the first vertex.
 
 #include "renderer/integrators/volpath.h"
 
@@ -14,11 +14,11 @@
 namespace photonproof::inline renderer_integrators {
 namespace {
 
-/// What the draws are for. A history's steps are its straight pieces; a light's segment has its own, far beyond.
+/// What the draws are for. A path's steps are its straight pieces; a light's segment has its own, far beyond.
 namespace volpath_dimension {
 constexpr std::uint32_t in_pixel = 0, lens = 1;
 constexpr std::uint32_t first_step = 4, of_step = 9;
-enum What : std::uint32_t { layer, channel, distance, light_choice, light_point, lobe, direction, roulette };
+enum What : std::uint32_t { layer, channel, distance, light_sampling, light_point, lobe, direction, roulette };
 constexpr std::uint32_t at_step(std::uint32_t step, What what) { return first_step + step * of_step + what; }
 constexpr std::uint32_t segment(std::uint32_t step) { return 0x80000000u + step * 1024u; }
 }  // namespace volpath_dimension
@@ -33,22 +33,23 @@ class VolumetricTracer : ScalarTracer {
   VolumetricTracer(const Scene& scene, const PathLimits& limits, int grid)
       : ScalarTracer(scene, limits, std::int64_t{scene.width} * scene.height), grid_(grid) {}
 
-  Rgb sample(int x, int y, const Draws& draws, ScalarWork& work) const {
+  Rgb sample(int x, int y, const PathSampler& draws, ScalarWork& work) const {
     const std::optional<Ray> first =
         camera_.ray(x, y, draws, grid_, volpath_dimension::in_pixel, draws.two(volpath_dimension::lens));
     if (!first) return Rgb(0.0f);
-    History h;
+    Path h;
     h.ray = *first;
-    bool from_camera = true;  // nothing but hidden lamps has been met
+    bool from_camera = true;  // nothing but hidden lights has been met
     h.surroundings = around_camera_;
     ++work.rays.camera;
     for (std::uint32_t step = 0;; ++step) {
       Interaction at;
-      const bool met = world_.intersect(h.ray, draws.one(volpath_dimension::at_step(step, volpath_dimension::layer)),
-                                        TransportMode::radiance, at) &&
-                       !(from_camera && camera_.beyond_far_plane(at.p));
+      const bool met =
+          scene_interface_.intersect(h.ray, draws.one(volpath_dimension::at_step(step, volpath_dimension::layer)),
+                                     TransportMode::radiance, at) &&
+          !(from_camera && camera_.beyond_far_plane(at.p));
       from_camera = from_camera && met && is_hidden(at);
-      const float distance = met ? h.ray.way_to(at.p) : world_.far_away();
+      const float distance = met ? h.ray.way_to(at.p) : scene_interface_.far_away();
       const std::optional<float> scattered = cross_medium(h, distance, met, step, draws);
       if (!(max_component(h.throughput) > 0)) return h.radiance;
       const bool goes_on = scattered ? scatter_in_medium(h, *scattered, step, draws, work)
@@ -60,7 +61,7 @@ class VolumetricTracer : ScalarTracer {
   }
 
  private:
-  struct History {
+  struct Path {
     Ray ray;
     Surroundings surroundings;
     Rgb throughput{1, 1, 1}, radiance{0, 0, 0};
@@ -70,11 +71,11 @@ class VolumetricTracer : ScalarTracer {
     float pdf = 0;               ///< with which it drew the direction; 0 where light sampling had no part in it
   };
 
-  /// Takes from the throughput what the medium on the way does; a distance where the history scatters in it.
-  std::optional<float> cross_medium(History& h, float distance, bool met, std::uint32_t step,
-                                    const Draws& draws) const {
+  /// Takes from the throughput what the medium on the way does; a distance where the path scatters in it.
+  std::optional<float> cross_medium(Path& h, float distance, bool met, std::uint32_t step,
+                                    const PathSampler& draws) const {
     if (h.surroundings.medium() == no_index) return std::nullopt;
-    const Medium& medium = world_.scene().media.media[h.surroundings.medium()];
+    const Medium& medium = scene_interface_.scene().media.media[h.surroundings.medium()];
     if (!met) distance = std::numeric_limits<float>::infinity();
     if (!medium.scatters) {
       h.throughput *= medium.transmittance(distance);
@@ -87,9 +88,10 @@ class VolumetricTracer : ScalarTracer {
     return flight.scattered;
   }
 
-  bool scatter_in_medium(History& h, float distance, std::uint32_t step, const Draws& draws, ScalarWork& work) const {
+  bool scatter_in_medium(Path& h, float distance, std::uint32_t step, const PathSampler& draws,
+                         ScalarWork& work) const {
     if (!within(h.depth + 2)) return false;
-    const HenyeyGreenstein& phase = world_.scene().media.media[h.surroundings.medium()].phase;
+    const HenyeyGreenstein& phase = scene_interface_.scene().media.media[h.surroundings.medium()].phase;
     const Vec3f p = h.ray.origin + h.ray.direction * (distance - h.ray.gap);
     const LightSeen seen = light_seen(p, step, draws);
     if (seen.pdf > 0) {
@@ -97,7 +99,7 @@ class VolumetricTracer : ScalarTracer {
       const float weight = seen.is_delta ? 1.0f : power_heuristic(seen.pdf, f);
       ++work.rays.shadow;
       h.radiance += h.throughput * seen.radiance * (f * weight / seen.pdf) *
-                    transmittance(world_, {p}, lights_.end(seen), h.surroundings, {.null = true}, draws,
+                    transmittance(scene_interface_, {p}, lights_.end(seen), h.surroundings, {.null = true}, draws,
                                   volpath_dimension::segment(step));
     }
     const Vec3f wi =
@@ -109,14 +111,14 @@ class VolumetricTracer : ScalarTracer {
     return survives(h, step, draws);
   }
 
-  bool meet_surface(History& h, Interaction& at, std::uint32_t step, const Draws& draws, ScalarWork& work) const {
+  bool meet_surface(Path& h, Interaction& at, std::uint32_t step, const PathSampler& draws, ScalarWork& work) const {
     const Vec3f wo = -h.ray.direction;
     const bool is_passed = h.depth == 0 && is_hidden(at);
     if (at.light != no_index && !is_passed) add_emission(h, at, wo);
-    const Crossing crossing = h.surroundings.crossing(world_, at, h.ray.direction);
+    const Crossing crossing = h.surroundings.crossing(scene_interface_, at, h.ray.direction);
     if (is_passed || !crossing.is_boundary) {
-      h.surroundings.cross(world_, at, h.ray.direction);
-      h.ray = world_.pass(h.ray, at, h.ray.direction);
+      h.surroundings.cross(scene_interface_, at, h.ray.direction);
+      h.ray = scene_interface_.pass(h.ray, at, h.ray.direction);
       return true;
     }
     Surroundings::refract_as(crossing, at);
@@ -127,8 +129,8 @@ class VolumetricTracer : ScalarTracer {
     if (!next.valid) return false;
     h.throughput *= next.weight;
     h.refraction_scale *= next.eta * next.eta;
-    h.surroundings.leave(world_, at, wo, next.wi);
-    h.ray = next.straight ? world_.pass(h.ray, at, next.wi) : world_.leave(at, next.wi);
+    h.surroundings.leave(scene_interface_, at, wo, next.wi);
+    h.ray = next.straight ? scene_interface_.pass(h.ray, at, next.wi) : scene_interface_.leave(at, next.wi);
     if (next.straight) return true;
     h.pdf = next.delta ? 0.0f : next.pdf;
     h.scattered_at = at.p;
@@ -136,7 +138,7 @@ class VolumetricTracer : ScalarTracer {
     return within(h.depth + 1) && survives(h, step, draws);
   }
 
-  void add_emission(History& h, const Interaction& at, const Vec3f& wo) const {
+  void add_emission(Path& h, const Interaction& at, const Vec3f& wo) const {
     const LightPoint<float> point = lights_.point(at);
     const Rgb emitted = lights_->radiance(at.light, point, wo);
     if (!(max_component(emitted) > 0)) return;
@@ -145,7 +147,7 @@ class VolumetricTracer : ScalarTracer {
   }
 
   /// Nothing follows.
-  bool meet_environment(History& h) const {
+  bool meet_environment(Path& h) const {
     if (!lights_->environment() || (h.depth == 0 && limits_.hide_emitters)) return false;
     const Vec3f& direction = h.ray.direction;
     const float weight = h.pdf > 0 ? power_heuristic(h.pdf, lights_->environment_pdf(h.scattered_at, direction)) : 1.0f;
@@ -153,12 +155,12 @@ class VolumetricTracer : ScalarTracer {
     return false;
   }
 
-  LightSeen light_seen(const Vec3f& p, std::uint32_t step, const Draws& draws) const {
-    return lights_->sample(p, draws.one(volpath_dimension::at_step(step, volpath_dimension::light_choice)),
+  LightSeen light_seen(const Vec3f& p, std::uint32_t step, const PathSampler& draws) const {
+    return lights_->sample(p, draws.one(volpath_dimension::at_step(step, volpath_dimension::light_sampling)),
                            draws.two(volpath_dimension::at_step(step, volpath_dimension::light_point)));
   }
 
-  void add_direct_light(History& h, const Interaction& at, const Vec3f& wo, std::uint32_t step, const Draws& draws,
+  void add_direct_light(Path& h, const Interaction& at, const Vec3f& wo, std::uint32_t step, const PathSampler& draws,
                         ScalarWork& work) const {
     const LightSeen seen = light_seen(at.p, step, draws);
     if (!(seen.pdf > 0)) return;
@@ -167,15 +169,15 @@ class VolumetricTracer : ScalarTracer {
     const float weight =
         seen.is_delta ? 1.0f : power_heuristic(seen.pdf, scatter_pdf(at, wo, seen.wi, TransportMode::radiance));
     Surroundings outward = h.surroundings;
-    outward.leave(world_, at, wo, seen.wi);
+    outward.leave(scene_interface_, at, wo, seen.wi);
     ++work.rays.shadow;
     h.radiance += h.throughput * f * seen.radiance * (weight / seen.pdf) *
-                  transmittance(world_, end_at(at), lights_.end(seen), outward, {.null = true}, draws,
+                  transmittance(scene_interface_, end_at(at), lights_.end(seen), outward, {.null = true}, draws,
                                 volpath_dimension::segment(step));
   }
 
   /// Russian roulette from rr_depth on, with the largest channel.
-  bool survives(History& h, std::uint32_t step, const Draws& draws) const {
+  bool survives(Path& h, std::uint32_t step, const PathSampler& draws) const {
     if (!(max_component(h.throughput) > 0)) return false;
     if (h.depth < static_cast<std::uint32_t>(limits_.rr_depth)) return true;
     const float q = survival_probability(max_component(h.throughput) * h.refraction_scale, h.depth, limits_.rr_depth);
@@ -200,8 +202,9 @@ void plan_volpath(const IntegratorDescription& description, Planner& planner) {
 
 void render_volpath(const Scene& scene, const RenderPlan& plan, const RenderJob& job, Film& film, RenderStats& stats) {
   const VolumetricTracer tracer(scene, std::get<VolPathDescription>(plan.method.method), job.grid);
-  render_samples(job, volpath_stream, "volumetric path tracing", film, stats,
-                 [&](int x, int y, const Draws& draws, ScalarWork& work) { return tracer.sample(x, y, draws, work); });
+  render_samples(
+      job, volpath_stream, "volumetric path tracing", film, stats,
+      [&](int x, int y, const PathSampler& draws, ScalarWork& work) { return tracer.sample(x, y, draws, work); });
 }
 
 }  // namespace photonproof::inline renderer_integrators

@@ -27,7 +27,7 @@ class WhittedTracer : ScalarTracer {
     if (limits_.max_depth < 0) limits_.max_depth = deepest;
   }
 
-  Rgb sample(int x, int y, const Draws& draws, ScalarWork& work) const {
+  Rgb sample(int x, int y, const PathSampler& draws, ScalarWork& work) const {
     const std::optional<Ray> first =
         camera_.ray(x, y, draws, grid_, whitted_dimension::in_pixel, draws.two(whitted_dimension::lens));
     if (!first) return Rgb(0.0f);
@@ -43,16 +43,16 @@ class WhittedTracer : ScalarTracer {
   };
 
   /// Radiance along a ray, times throughput.
-  Rgb follow(Ray ray, const Rgb& throughput, const Edge& edge, const Draws& draws, std::uint32_t& dimension,
+  Rgb follow(Ray ray, const Rgb& throughput, const Edge& edge, const PathSampler& draws, std::uint32_t& dimension,
              ScalarWork& work) const {
     Interaction at;
     const std::uint32_t edges = edge.number;
     if (!within(edges)) return Rgb(0.0f);
     const float u_layer = draws.one(dimension++);
-    bool met = world_.intersect(ray, u_layer, TransportMode::radiance, at);
+    bool met = scene_interface_.intersect(ray, u_layer, TransportMode::radiance, at);
     if (edges == 1) {
-      for (; met && is_hidden(at); met = world_.intersect(ray, u_layer, TransportMode::radiance, at))
-        ray = world_.pass(ray, at, ray.direction);
+      for (; met && is_hidden(at); met = scene_interface_.intersect(ray, u_layer, TransportMode::radiance, at))
+        ray = scene_interface_.pass(ray, at, ray.direction);
       met = met && !camera_.beyond_far_plane(at.p);
     }
     if (!met)
@@ -75,13 +75,13 @@ class WhittedTracer : ScalarTracer {
       const Rgb on = throughput * lobe.weight * lobe.pdf;  // the choice of the lobe taken back
       if (max_component(on) < faint) continue;
       ++work.rays.bounce;
-      radiance +=
-          follow(world_.leave(at, lobe.wi), on, {edges + 1, edge.straight && lobe.straight}, draws, dimension, work);
+      radiance += follow(scene_interface_.leave(at, lobe.wi), on, {edges + 1, edge.straight && lobe.straight}, draws,
+                         dimension, work);
     }
     return radiance;
   }
 
-  Rgb direct_light(const Interaction& at, const Vec3f& wo, const Draws& draws, std::uint32_t& dimension,
+  Rgb direct_light(const Interaction& at, const Vec3f& wo, const PathSampler& draws, std::uint32_t& dimension,
                    ScalarWork& work) const {
     Rgb sum(0.0f);
     for (std::uint32_t light = 0; light < lights_->count(); ++light) {
@@ -90,7 +90,7 @@ class WhittedTracer : ScalarTracer {
       const Rgb value = evaluate(at, wo, seen.wi, TransportMode::radiance) * seen.radiance * (1 / seen.pdf);
       if (!(max_component(value) > 0)) continue;
       ++work.rays.shadow;
-      if (world_.visible(end_at(at), lights_.end(seen))) sum += value;
+      if (scene_interface_.visible(end_at(at), lights_.end(seen))) sum += value;
     }
     return sum;
   }
@@ -110,8 +110,9 @@ void plan_whitted(const IntegratorDescription& description, Planner& planner) {
 
 void render_whitted(const Scene& scene, const RenderPlan& plan, const RenderJob& job, Film& film, RenderStats& stats) {
   const WhittedTracer tracer(scene, std::get<WhittedDescription>(plan.method.method), job.grid);
-  render_samples(job, whitted_stream, "ray tracing", film, stats,
-                 [&](int x, int y, const Draws& draws, ScalarWork& work) { return tracer.sample(x, y, draws, work); });
+  render_samples(
+      job, whitted_stream, "ray tracing", film, stats,
+      [&](int x, int y, const PathSampler& draws, ScalarWork& work) { return tracer.sample(x, y, draws, work); });
 }
 
 }  // namespace photonproof::inline renderer_integrators

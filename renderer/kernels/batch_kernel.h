@@ -1,8 +1,8 @@
 // The life of a batch, the same for camera paths and photons. While there is work:
-//   refill         free rows get new histories
+//   refill         free rows get new paths
 //   meet_surfaces  rays of a pack find where they end; lanes that go on wait in the queue of their surface's BSDF kind
 //   shade<Kind>    packs of one kind; survivors go to the next round's batch
-// Packs are always taken from the front of a batch or queue, so all but the last are full, however histories end.
+// Packs are always taken from the front of a batch or queue, so all but the last are full, however paths end.
 #pragma once
 
 #include <array>
@@ -17,33 +17,33 @@
 
 namespace photonproof::inline renderer_kernels {
 
-/// A history at a surface, waiting to be shaded.
-template <template <class> class History, class F>
+/// A path at a surface, waiting to be shaded.
+template <template <class> class AnyPathState, class F>
 struct AtSurface {
-  History<F> history;
+  AnyPathState<F> path_state;
   Vec3<F> p, normal;  ///< geometric
   UInt<F> surface;    ///< while it waits in a detailed scene: the number of its SurfaceDetail
 
-  static constexpr std::size_t column_count = History<F>::column_count + 7;
+  static constexpr std::size_t column_count = AnyPathState<F>::column_count + 7;
   template <class Self, class Visit>
   static void columns(Self& s, Visit&& visit) {
-    History<F>::columns(s.history, visit);
+    AnyPathState<F>::columns(s.path_state, visit);
     visit(s.p.x), visit(s.p.y), visit(s.p.z), visit(s.normal.x), visit(s.normal.y), visit(s.normal.z);
     visit(s.surface);
   }
 };
 
-/// Histories under way, and services that do not depend on who follows them. `History` is the state between surfaces,
-/// `mode` what histories carry.
-template <template <class> class History, TransportMode mode, class F>
+/// Paths under way, and services that do not depend on who follows them. `Path` is the state between surfaces,
+/// `mode` what paths carry.
+template <template <class> class AnyPathState, TransportMode mode, class F>
 class BatchQueues {
  protected:
   using Value = F;
   template <class G>
-  using StateOf = History<G>;
+  using StateOf = AnyPathState<G>;
   template <class G>
-  using Waiting = AtSurface<History, G>;
-  using Batch = LaneBatch<History, F>;
+  using Waiting = AtSurface<AnyPathState, G>;
+  using Batch = LaneBatch<AnyPathState, F>;
   using Queue = LaneBatch<Waiting, F>;
   static constexpr std::size_t width = lane_count<F>;
   static constexpr std::size_t capacity = 256;  // measured: 128 to 1024 are alike; below, packs are often not full
@@ -70,12 +70,12 @@ class BatchQueues {
       append_by_kind(state, surface_word(state.surface, &SurfaceWords::bsdf_kind), alive);
     }
   }
-  void go_on(const History<F>& state, const Mask<F>& alive) { next_.append(state, alive); }
+  void go_on(const AnyPathState<F>& state, const Mask<F>& alive) { next_.append(state, alive); }
 
   UInt<F> surface_word(const UInt<F>& surface, std::uint32_t SurfaceWords::*word) const {
     return gather(&(scene_.surfaces->*word), UInt<F>(surface * SurfaceWords::stride));
   }
-  /// What waiting lanes are shaded with; `at.surface` is their surface from here on, with what photons and look-ups
+  /// What waiting lanes are shaded with; `at.surface` is their surface from here on, with what photons and gathers
   /// must have in common (MappedNormals).
   template <template <class> class Kind>
   ScatteringBsdf<Kind<F>, F> scattering_at(Waiting<F>& at, const Mask<F>& active) const {
@@ -147,10 +147,10 @@ class BatchQueues {
     };
     spread3(state.p, p);
     spread3(state.normal, normal);
-    spread3(state.history.direction, direction);
+    spread3(state.path_state.direction, direction);
     spread(u_choice, u);
     spread(state.surface, surface);
-    spread(state.history.from, primitive);
+    spread(state.path_state.from, primitive);
     const auto lane_of = [](const float(&v)[3][width], std::size_t i) { return Vec3f(v[0][i], v[1][i], v[2][i]); };
     for (std::uint32_t bits = to_bits(alive); bits != 0; bits &= bits - 1) {
       const auto i = static_cast<std::size_t>(std::countr_zero(bits));
@@ -170,8 +170,8 @@ class BatchQueues {
   std::size_t detail_count_ = 0;
 };
 
-/// Follows histories to their ends. `Steps` is a BatchQueues or derives from one. Self offers
-/// refill(history, first, lanes), which says which of the lanes begin a history, meet_surfaces(history, active) and
+/// Follows paths to their ends. `Steps` is a BatchQueues or derives from one. Self offers
+/// refill(path, first, lanes), which says which of the lanes begin a path, meet_surfaces(path, active) and
 /// shade<Kind>(at_surface, active).
 template <class Self, class Steps>
 class BatchKernel : public Steps {
@@ -181,7 +181,7 @@ class BatchKernel : public Steps {
   using Steps::width;
 
  public:
-  /// Follows `count` histories to their ends.
+  /// Follows `count` paths to their ends.
   void run(std::uint32_t count) {
     std::uint32_t started = 0;
     while (started < count || next_.size() > 0) {

@@ -23,7 +23,7 @@ template <class F, class B>
 Vec3<F> estimate_direct(const SceneView& scene, const SurfaceHit<F>& hit, const B& bsdf, const Frame<F>& frame,
                         const Vec3<F>& wo_local, bool weighted, const F& u_choice, const Vec2<F>& u_point,
                         const Mask<F>& active, RayCounts& counts) {
-  const LightChoice<F> choice = choose_light(scene, hit.p, active, u_choice);
+  const LightSampling<F> choice = choose_light(scene, hit.p, active, u_choice);
   Mask<F> findable;
   const LightSample<F> s = sample_light(scene, choice.light, active, hit.p, u_point, findable);
   const Vec3<F> wi_local = frame.to_local(s.wi);

@@ -1,5 +1,5 @@
 // Final gathering (Jensen 1996; 2001, chapter 8): photons of the global map are not looked up where the camera path
-// first meets a Lambertian surface, but one bounce further, where the error of a look-up is averaged over many paths.
+// first meets a Lambertian surface, but one bounce further, where the error of a gather is averaged over many paths.
 //
 // Classes of paths, in Heckbert's notation from the light to the eye; S is every surface that is not Lambertian, smooth
 // or rough, x the first Lambertian vertex from the eye and y the next one:
@@ -11,7 +11,7 @@
 //   L (S|D)* D S* D(y) S* D(x) S* E   the global map at y
 // These are all paths, each once. So between x and y neither a light that is met counts, other than at the end of the
 // ray that leaves x, nor do light samples at S: both are of L S+ D(x) S* E.
-// Where y is nearer to x than a look-up reaches, in corners, its disc would hold x's own surroundings. There y stands
+// Where y is nearer to x than a gather reaches, in corners, its disc would hold x's own surroundings. There y stands
 // between x and a third vertex z: the classes of y are as those of x, and those of z as those of y above:
 //   L D(z) S* D(y) S* D(x) S* E and so on.
 //
@@ -32,7 +32,7 @@ namespace photonproof::final_gather {
 /// Bits of PathState::gathering: which of the Lambertian vertices the path has left, none at first, and whether
 /// anything else has scattered it since.
 constexpr std::uint32_t left_first = 1, left_near = 2, not_lambertian_since = 4, path_tracing = 8;
-/// And until the first of them (rough_look_up.h): whether a rough part has scattered the path, and was the last to.
+/// And until the first of them (rough_gather.h): whether a rough part has scattered the path, and was the last to.
 constexpr std::uint32_t any_rough = 16, last_rough = 32;
 
 /// Whether the path has left no Lambertian vertex.

@@ -12,7 +12,7 @@ static void gather_photons(const GatherTask& task) {
     const std::uint32_t i = task.order[k];
     const PhotonFilter filter{points.surface[i], task.max_edges - static_cast<std::int32_t>(points.edges[i]),
                               task.tests != nullptr ? task.tests[surface_number(points.surface[i])] : SheetTest::none,
-                              points.sheet[i]};
+                              points.surface_side[i]};
     const GatheredFlux gathered =
         photonproof::gather(task.map, {points.x[i], points.y[i], points.z[i]}, points.radius[i], filter);
     points.flux_red[i] = gathered.flux.x;

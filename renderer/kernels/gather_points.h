@@ -15,10 +15,10 @@ namespace photonproof::inline renderer_kernels {
 template <template <class> class Column>
 struct GatherColumns {
   // Of the path:
-  Column<float> x, y, z;                                ///< position, world
-  Column<float> weight_red, weight_green, weight_blue;  ///< throughput x f: radiance is weight x irradiance
-  Column<std::uint32_t> path, surface, edges, sheet;    ///< edges: of the camera path; sheet: sheet_word
-  // Of the look-up in a map:
+  Column<float> x, y, z;                                     ///< position, world
+  Column<float> weight_red, weight_green, weight_blue;       ///< throughput x f: radiance is weight x irradiance
+  Column<std::uint32_t> path, surface, edges, surface_side;  ///< edges: of the camera path; surface side: side_word
+  // Of the gather in a map:
   Column<float> radius;
   Column<float> flux_red, flux_green, flux_blue;  ///< found, W
   Column<std::uint32_t> found;                    ///< photons
@@ -30,7 +30,7 @@ template <class F, class... Records>
 constexpr void zip_gather_points(const F& f, Records&... records) {
   f(records.x...), f(records.y...), f(records.z...);
   f(records.weight_red...), f(records.weight_green...), f(records.weight_blue...);
-  f(records.path...), f(records.surface...), f(records.edges...), f(records.sheet...);
+  f(records.path...), f(records.surface...), f(records.edges...), f(records.surface_side...);
   f(records.radius...);
   f(records.flux_red...), f(records.flux_green...), f(records.flux_blue...);
   f(records.found...), f(records.area...);
@@ -47,7 +47,7 @@ struct GatherPoints : GatherColumns<Pointer> {
 struct GatherPoint {
   Vec3f p;
   Rgb weight;
-  std::uint32_t path = 0, surface = 0, edges = 0, sheet = 0;
+  std::uint32_t path = 0, surface = 0, edges = 0, surface_side = 0;
 };
 
 class GatherQueue {
@@ -74,7 +74,7 @@ class GatherQueue {
             c.path[i],
             c.surface[i],
             c.edges[i],
-            c.sheet[i]};
+            c.surface_side[i]};
   }
   void push_back(const GatherPoint& point) {
     const GatherColumns<OneValue> row{point.p.x,
@@ -86,7 +86,7 @@ class GatherQueue {
                                       point.path,
                                       point.surface,
                                       point.edges,
-                                      point.sheet,
+                                      point.surface_side,
                                       0,
                                       0,
                                       0,

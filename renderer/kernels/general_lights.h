@@ -2,7 +2,7 @@
 #pragma once
 
 #include "renderer/lanes/lane_records.h"
-#include "renderer/light_choice/scene_lights.h"
+#include "renderer/light_sampling/scene_lights.h"
 
 namespace photonproof::inline renderer_kernels {
 

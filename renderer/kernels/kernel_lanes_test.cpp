@@ -10,11 +10,11 @@
 #include "renderer/kernels/lights.h"
 #include "renderer/lanes/sampler.h"
 #include "renderer/lanes/test_lane_words.h"
-#include "renderer/light_choice/light_table.h"
-#include "renderer/light_choice/test_lights.h"
+#include "renderer/light_sampling/light_table.h"
+#include "renderer/light_sampling/test_lights.h"
 #include "renderer/lights/light.h"
-#include "renderer/rays/small_scene.h"
-#include "renderer/rays/small_scene_tables.h"
+#include "renderer/rays/brute_force_intersector.h"
+#include "renderer/rays/brute_force_tables.h"
 #include "renderer/sensor/reconstruction_filter.h"
 
 namespace photonproof::inline renderer_kernels {
@@ -62,7 +62,7 @@ TEST(lanes, every_bsdf_agrees) {
   });
 }
 
-/// As lamps are compiled: the normal is that of the edges, disks are round, and heights are told by the corner or
+/// As lights are compiled: the normal is that of the edges, disks are round, and heights are told by the corner or
 /// centre or by an offset.
 template <class Light>
 void make_whole(Light& light, bool by_corner) {
@@ -106,8 +106,8 @@ TEST(lanes, every_light_agrees) {
     };
     expect_lanes_agree<n, 48>("light " + std::to_string(kind), f, [](Random& random) {
       Floats<n> in;
-      // Lamps of any size, and points near them: had each number a size of its own, edges would nearly be parallel and
-      // points lie in the lamp's plane but for rounding.
+      // Lights of any size, and points near them: had each number a size of its own, edges would nearly be parallel and
+      // points lie in the light's plane but for rounding.
       const float size = random.next() < 0.5f ? 1.0f : anything(random);
       for (float& v : in) v = size * (4 * random.next() - 2);
       auto light = record_of<Kind<float>>(&in[0]);
@@ -145,7 +145,7 @@ TEST(lanes, lights_are_chosen_alike) {
       "choose_light",
       [&](const auto& in) {
         using F = Value<decltype(in)>;
-        const LightChoice<F> choice = choose_light(scene, in[0]);
+        const LightSampling<F> choice = choose_light(scene, in[0]);
         return std::array<F, 2>{to_float(choice.light), choice.probability};
       },
       units<1>());
@@ -322,8 +322,8 @@ TEST(lanes, a_small_scenes_rays_meet_the_same_primitives) {
   // The primitive and the distance of the closest hit; another primitive is the same where the distances are.
   for (std::uint64_t seed = 80; seed < 84; ++seed) {
     const Clutter clutter(seed);
-    const SmallSceneTables tables(clutter.surfaces);
-    const SmallSceneView scene = tables.view();
+    const BruteForceTables tables(clutter.surfaces);
+    const BruteForceView scene = tables.view();
     const auto count = scene.parallelograms + scene.triangles + scene.spheres;
     ASSERT_EQ(count, 24u);
     const auto from_primitive = [](const auto& v) {

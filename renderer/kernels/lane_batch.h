@@ -1,4 +1,4 @@
-// Histories under way, as structure of arrays: one column a word of state, one row a lane. A pack of rows is loaded,
+// Paths under way, as structure of arrays: one column a word of state, one row a lane. A pack of rows is loaded,
 // advanced, and its survivors are appended to another batch, so that packs stay full.
 #pragma once
 

@@ -5,7 +5,7 @@
 
 #include "renderer/kernels/general_lights.h"
 #include "renderer/lanes/lane.h"
-#include "renderer/light_choice/light_choice.h"
+#include "renderer/light_sampling/light_sampling.h"
 #include "renderer/lights/light_kinds.h"
 #include "renderer/rays/surface_hit.h"
 #include "renderer/scene/scene_view.h"
@@ -49,16 +49,16 @@ void for_each_light_kind(const SceneView& scene, const UInt<F>& light, const Mas
 /// Picks a light as a photon's start, with probability proportional to its flux; `u` is uniform in [0,1). A single
 /// light costs nothing.
 template <class F>
-LightChoice<F> choose_light(const SceneView& scene, const F& u) {
+LightSampling<F> choose_light(const SceneView& scene, const F& u) {
   if (scene.one_light) return {UInt<F>(0u), F(1.0f), UInt<F>(scene.light_words->primitive)};
   return choose_by_flux(scene.light_words, scene.light_count, u);
 }
 
 /// Picks a light for next-event estimation at p; its probability is 0 where none could shine.
 template <class F>
-LightChoice<F> choose_light(const SceneView& scene, const Vec3<F>& p, const Mask<F>& active, const F& u) {
+LightSampling<F> choose_light(const SceneView& scene, const Vec3<F>& p, const Mask<F>& active, const F& u) {
   if (!scene.lights_by_position) return choose_light(scene, u);
-  return each_lane<LightChoice<F>, F>(
+  return each_lane<LightSampling<F>, F>(
       active, [&](std::size_t i) { return scene.general_lights->choose(lane_of(p, i), lane_of(u, i)); });
 }
 

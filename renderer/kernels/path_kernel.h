@@ -35,7 +35,7 @@ class PathKernel : public BatchKernel<PathKernel<F, Policy>, PathSteps<F>> {
   [[gnu::flatten]] void meet_surfaces(PathState<F>& s, const Mask<F>& active) {
     const Mask<F> first = equal<F>(s.vertex, U(0u));
     SurfaceHit<F> hit = closest_hit(scene_, s.origin, s.direction, s.from, active, all(first || !active));
-    if (task_.settings.hide_emitters && scene_.lights_can_be_hit) Base::pass_lamps(s, hit, active && first);
+    if (task_.settings.hide_emitters && scene_.lights_can_be_hit) Base::pass_lights(s, hit, active && first);
     Mask<F> met = hit.valid;  // behind the far plane the camera sees the environment
     if (any(first)) met = met && !(first && beyond_far_plane(scene_.camera, hit.p));
     if constexpr (!Policy::from_camera) note_distances(s, hit.p, met && equal<F>(s.vertex, U(1u)));
@@ -45,7 +45,7 @@ class PathKernel : public BatchKernel<PathKernel<F, Policy>, PathSteps<F>> {
       const Mask<F> shines = counted(s, alive && !equal<F>(light, U(no_index)));
       if (any(shines)) Base::add_emission(s, hit, select(shines, light, U(0u)), shines);
     }
-    if (searches()) find_lamps(task_.search, s, hit, active && !first && !(s.bsdf_pdf > 0));
+    if (searches()) find_lights(task_.search, s, hit, active && !first && !(s.bsdf_pdf > 0));
     if constexpr (Policy::looks) alive = alive && as_mask<F>(s.vertex < U(Base::only_looks));
     if (task_.settings.max_depth >= 0)
       alive = alive && as_mask<F>(s.vertex + 1u < U(static_cast<std::uint32_t>(task_.settings.max_depth)));
@@ -105,13 +105,13 @@ class PathKernel : public BatchKernel<PathKernel<F, Policy>, PathSteps<F>> {
   Mask<F> counted(const PathState<F>& s, const Mask<F>& rays) const {
     if constexpr (!Policy::beside_maps) return rays;
     const Mask<F> counts = rays && final_gather::counts_light<F>(s.gathering, Policy::meets_sampled_lights) &&
-                           rough_look_up::counts_light<F>(s.gathering);
+                           rough_gather::counts_light<F>(s.gathering);
     return task_.settings.indirect_only ? counts && !final_gather::is_direct<F>(s.gathering) : counts;
   }
 
   template <template <class> class Kind>
   void shade_lambertian(AtSurface<PathState, F>& at, const Mask<F>& active) {
-    PathState<F>& s = at.history;
+    PathState<F>& s = at.path_state;
     const ScatteringBsdf<Kind<F>, F> bsdf = Base::template scattering_at<Kind>(at, active);
     const Vec3<F> wo_local = bsdf.at.frame.to_local(Vec3<F>(-s.direction));
     if (Base::takes_light_samples())

@@ -8,7 +8,7 @@
 //   meets_sampled_lights  after a Lambertian vertex the ray may meet the light that was sampled there, so both are
 //                         weighted
 //   looks                 a path that ends at a Lambertian vertex follows one more ray, to a light
-//   even_lobes            smooth interfaces choose either lobe as often, and nothing else scatters (lamp_search.h)
+//   even_lobes            smooth interfaces choose either lobe as often, and nothing else scatters (light_search.h)
 // and functions, templates so that no instruction set offers its code to another:
 //   leave_points(task, vertex, active)   leaves gather points at a Lambertian vertex; returns which paths end there
 //   after_lambertian(gathering)          PathState::gathering behind such a vertex
@@ -29,11 +29,11 @@ struct LambertianVertex {
   const AtSurface<PathState, F>& at;
   const Vec3<F> shading_normal, f;
 
-  const UInt<F>& gathering() const { return at.history.gathering; }
+  const UInt<F>& gathering() const { return at.path_state.gathering; }
 
   /// Leaves a gather point a path. It has no direction: its weight is for any photon.
   void leave_point(const Mask<F>& active, GatherPoints& points) const {
-    const Vec3<F> weight = at.history.throughput * f;
+    const Vec3<F> weight = at.path_state.throughput * f;
     const std::uint32_t bits = to_bits(Mask<F>(active && max_component(weight) > 0));
     if (bits == 0) return;
     const auto put = [&](auto* column, const auto& value) {
@@ -41,10 +41,10 @@ struct LambertianVertex {
     };
     put(points.x, at.p.x), put(points.y, at.p.y), put(points.z, at.p.z);
     put(points.weight_red, weight.x), put(points.weight_green, weight.y), put(points.weight_blue, weight.z);
-    put(points.path, at.history.path);
+    put(points.path, at.path_state.path);
     put(points.surface, at.surface);
-    put(points.edges, UInt<F>(at.history.vertex + 1u));
-    put(points.sheet, sheet_word<F>(at.normal, shading_normal));
+    put(points.edges, UInt<F>(at.path_state.vertex + 1u));
+    put(points.surface_side, side_word<F>(at.normal, shading_normal));
     points.count += static_cast<std::size_t>(std::popcount(bits));
   }
 
@@ -74,7 +74,7 @@ struct PathTracing {
 };
 
 /// The photon mapper's camera pass. It estimates direct light up to the first Lambertian vertex, and leaves a gather
-/// point there for both maps. A light that a ray meets counts, unless caustic photons bring it (rough_look_up.h). A
+/// point there for both maps. A light that a ray meets counts, unless caustic photons bring it (rough_gather.h). A
 /// path ends at its first Lambertian vertex at the latest. With `looks_on` it follows one more ray from there, which
 /// shares the light with the light samples; without, the light samples bring all of it.
 template <bool looks_on>
@@ -104,7 +104,7 @@ struct FinalGatherPass {
 
   template <class F>
   static Mask<F> leave_points(PathTask& task, const LambertianVertex<F>& vertex, const Mask<F>& active) {
-    const F squared_distance = length_squared(vertex.at.p - vertex.at.history.origin);
+    const F squared_distance = length_squared(vertex.at.p - vertex.at.path_state.origin);
     const Mask<F> ends = active && final_gather::ends<F>(vertex.gathering(), squared_distance, task.near_hit);
     vertex.leave_caustic_point(active && !ends, task);
     vertex.leave_point(ends, task.points);
@@ -144,10 +144,10 @@ struct PathsBesideCaustics {
   }
 };
 
-/// A pilot that looks for lamps behind mirrors and glass (lamp_search.h). It estimates the noise of paths that meet
-/// one: `radiance` is what a path met and how near it came to more. Lamps count by LampSearch; without any, lights that
-/// rays meet do. A path ends at the first vertex that is not a smooth interface, and leaves a gather point if that is
-/// Lambertian.
+/// A pilot that looks for lights behind mirrors and glass (light_search.h). It estimates the noise of paths that meet
+/// one: `radiance` is what a path met and how near it came to more. Lights count by LightSearch; without any, lights
+/// that rays meet do. A path ends at the first vertex that is not a smooth interface, and leaves a gather point if that
+/// is Lambertian.
 struct PilotPass {
   static constexpr bool from_camera = true, beside_maps = false, meets_sampled_lights = false;
   static constexpr bool looks = false, even_lobes = true;

@@ -7,9 +7,9 @@
 #include "renderer/kernels/camera_rays.h"
 #include "renderer/kernels/direct_light.h"
 #include "renderer/kernels/final_gather.h"
-#include "renderer/kernels/lamp_search.h"
+#include "renderer/kernels/light_search.h"
 #include "renderer/kernels/path_state.h"
-#include "renderer/kernels/rough_look_up.h"
+#include "renderer/kernels/rough_gather.h"
 #include "renderer/kernels/tasks.h"
 #include "renderer/lanes/roulette.h"
 #include "scenes/base/faults.h"
@@ -60,9 +60,9 @@ class PathSteps : public BatchQueues<PathState, TransportMode::radiance, F> {
     return begins;
   }
 
-  /// Camera rays go on behind lamps that are hidden from them, up to the first other surface. They start farther along
-  /// each time, even where coordinates are so coarse that moving off the lamp does not get there.
-  [[gnu::noinline]] void pass_lamps(PathState<F>& s, SurfaceHit<F>& hit, const Mask<F>& from_camera) const {
+  /// Camera rays go on behind lights that are hidden from them, up to the first other surface. They start farther along
+  /// each time, even where coordinates are so coarse that moving off the light does not get there.
+  [[gnu::noinline]] void pass_lights(PathState<F>& s, SurfaceHit<F>& hit, const Mask<F>& from_camera) const {
     for (;;) {
       const Mask<F> passes =
           from_camera && hit.valid && !equal<F>(this->surface_word(hit.surface, &SurfaceWords::light), U(no_index));
@@ -121,21 +121,21 @@ class PathSteps : public BatchQueues<PathState, TransportMode::radiance, F> {
                                                                       const ScatteringBsdf<Record, F>& bsdf,
                                                                       const Vec3<F>& wo_local, bool goes_on,
                                                                       const Mask<F>& active) {
-    add_direct_light(at, bsdf, bsdf.at.frame, wo_local, dimension_at(at.history), goes_on, active);
+    add_direct_light(at, bsdf, bsdf.at.frame, wo_local, dimension_at(at.path_state), goes_on, active);
   }
 
   /// Scatters paths at a surface that is not Lambertian: adds direct light and goes on.
   template <template <class> class Kind>
   [[gnu::noinline, gnu::flatten]] void scatter(AtSurface<PathState, F>& at, const Mask<F>& active) {
     const ScatteringBsdf<Kind<F>, F> bsdf = Base::template scattering_at<Kind>(at, active);
-    const Vec3<F> wo_local = bsdf.at.frame.to_local(Vec3<F>(-at.history.direction));
+    const Vec3<F> wo_local = bsdf.at.frame.to_local(Vec3<F>(-at.path_state.direction));
     if constexpr (Kind<F>::has_smooth) {
-      const Mask<F> takes = lit(at.history, active) && final_gather::without_maps<F>(at.history.gathering);
+      const Mask<F> takes = lit(at.path_state, active) && final_gather::without_maps<F>(at.path_state.gathering);
       if (takes_light_samples() && any(takes))
-        add_direct_light_if_counted(at, bsdf, wo_local, dimension_at(at.history), takes);
+        add_direct_light_if_counted(at, bsdf, wo_local, dimension_at(at.path_state), takes);
     }
     if constexpr (CanBeRough<Kind<F>, F>)
-      if (task_.rough.map.count > 0) look_up_rough(at, bsdf, wo_local, active);
+      if (task_.rough.map.count > 0) gather_rough(at, bsdf, wo_local, active);
     go_on_by_bsdf(at, bsdf, wo_local, active, Mask<F>(false));
   }
 
@@ -143,7 +143,7 @@ class PathSteps : public BatchQueues<PathState, TransportMode::radiance, F> {
   template <class Record>
   void go_on_by_bsdf(AtSurface<PathState, F>& at, const ScatteringBsdf<Record, F>& bsdf, const Vec3<F>& wo_local,
                      const Mask<F>& going, const Mask<F>& looking) {
-    PathState<F>& s = at.history;
+    PathState<F>& s = at.path_state;
     const U dimension = dimension_at(s);
     Vec2<F> u_direction{F(0.0f), F(0.0f)};
     if constexpr (Record::has_smooth) u_direction = draw(s, dimension + Dimension::direction);
@@ -212,7 +212,7 @@ class PathSteps : public BatchQueues<PathState, TransportMode::radiance, F> {
   template <class B>
   void add_direct_light(AtSurface<PathState, F>& at, const B& bsdf, const Frame<F>& frame, const Vec3<F>& wo_local,
                         const U& dimension, bool goes_on, const Mask<F>& active) {
-    PathState<F>& s = at.history;
+    PathState<F>& s = at.path_state;
     F u_choice(0.0f);
     if (!scene_.one_light) u_choice = draw(s, dimension + Dimension::light).x;
     const Vec2<F> u_point = draw(s, dimension + Dimension::light_point);
@@ -226,7 +226,7 @@ class PathSteps : public BatchQueues<PathState, TransportMode::radiance, F> {
   template <class Record>
   void add_direct_light_if_counted(AtSurface<PathState, F>& at, const ScatteringBsdf<Record, F>& bsdf,
                                    const Vec3<F>& wo_local, const U& dimension, const Mask<F>& active) {
-    const Mask<F> behind_rough = rough_look_up::is_behind_rough<F>(at.history.gathering);
+    const Mask<F> behind_rough = rough_gather::is_behind_rough<F>(at.path_state.gathering);
     if (!task_.rough.by_photons || !any(active && behind_rough)) {
       add_direct_light_once_compiled(at, any_bsdf<F>(bsdf), bsdf.at.frame, wo_local, dimension, active);
     } else if constexpr (CanBeRough<Record, F>) {
@@ -267,25 +267,25 @@ class PathSteps : public BatchQueues<PathState, TransportMode::radiance, F> {
   U after_other(const U& gathering, const Mask<F>& by_rough_part) const {
     const U after = final_gather::leave_other<F>(gathering);
     if (!task_.rough.by_photons) return after;
-    return select(final_gather::has_left_none<F>(gathering), rough_look_up::after<F>(gathering, by_rough_part), after);
+    return select(final_gather::has_left_none<F>(gathering), rough_gather::after<F>(gathering, by_rough_part), after);
   }
 
   /// For caustic photons, at rough parts.
   template <class Record>
-  [[gnu::noinline]] void look_up_rough(const AtSurface<PathState, F>& at, const ScatteringBsdf<Record, F>& bsdf,
-                                       const Vec3<F>& wo_local, const Mask<F>& active) {
-    RoughLookUps& rough = task_.rough;
-    const PathState<F>& s = at.history;
+  [[gnu::noinline]] void gather_rough(const AtSurface<PathState, F>& at, const ScatteringBsdf<Record, F>& bsdf,
+                                      const Vec3<F>& wo_local, const Mask<F>& active) {
+    RoughGathers& rough = task_.rough;
+    const PathState<F>& s = at.path_state;
     const Mask<F> looks = active && bsdf.bsdf.is_rough(scene_.rough_limit) && wo_local.z > 0 &&
                           max_component(s.throughput) > 0 && final_gather::has_left_none<F>(s.gathering);
-    const UInt<F> sheet = sheet_word<F>(at.normal, Vec3<F>(-s.direction));
+    const UInt<F> surface_side = side_word<F>(at.normal, Vec3<F>(-s.direction));
     for (std::uint32_t bits = to_bits(looks); bits != 0; bits &= bits - 1) {
       const auto lane = static_cast<std::size_t>(std::countr_zero(bits));
       if (rough.points.count == rough.room) rough.make_room(task_);
-      rough_look_up::Point<F, Record> point(bsdf, scene_.rough_limit, wo_local, lane);
-      point.look_up(rough, {lane_of(at.p, lane), lane_of(s.throughput, lane), lane_of(s.path, lane),
-                            surface_number(lane_of(at.surface, lane)) | PhotonSurface::rough,
-                            lane_of(s.vertex, lane) + 1, lane_of(sheet, lane)});
+      rough_gather::Point<F, Record> point(bsdf, scene_.rough_limit, wo_local, lane);
+      point.radiance_estimate(rough, {lane_of(at.p, lane), lane_of(s.throughput, lane), lane_of(s.path, lane),
+                                      surface_number(lane_of(at.surface, lane)) | PhotonSurface::rough,
+                                      lane_of(s.vertex, lane) + 1, lane_of(surface_side, lane)});
     }
   }
 

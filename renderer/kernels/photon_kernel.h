@@ -1,12 +1,12 @@
 // Photons from the lights through the scene (Jensen 2001, chapters 5 and 7.2), over a batch of lanes. They are stored
 // on Lambertian surfaces. Every other one, rough ones too, counts as specular, since camera paths go on from there as
 // well; on their rough parts caustic photons that no rough part has scattered are stored with their directions
-// (rough_look_up.h).
+// (rough_gather.h).
 #pragma once
 
-#include "renderer/kernels/aim.h"
 #include "renderer/kernels/batch_kernel.h"
 #include "renderer/kernels/lights.h"
+#include "renderer/kernels/projection_map.h"
 #include "renderer/kernels/tasks.h"
 #include "renderer/lanes/roulette.h"
 #include "renderer/lanes/warp.h"
@@ -56,7 +56,7 @@ class PhotonKernel : public BatchKernel<PhotonKernel<F>, BatchQueues<PhotonState
     s.path = lane_index<F>() + first;
     F u_light(0.0f);
     if (!scene_.one_light) u_light = draw(s, 2u).x;
-    const LightChoice<F> choice = choose_light(scene_, u_light);
+    const LightSampling<F> choice = choose_light(scene_, u_light);
     const Vec2<F> u_position = draw(s, 0u);
     const Vec2<F> u_direction = draw(s, 1u);
     Emission<F> start{};
@@ -67,7 +67,7 @@ class PhotonKernel : public BatchKernel<PhotonKernel<F>, BatchQueues<PhotonState
       shine(GeneralLight<F>(*scene_.general_lights, choice.light, lanes), lanes);
     else
       for_each_light_kind<F>(scene_, choice.light, lanes, shine);
-    // A primitive of a small scene; elsewhere the lamp's face.
+    // A primitive of a small scene; elsewhere the light's face.
     const Mask<F> ahead = start.is_ahead > 0;
     s.from =
         select(ahead || equal<F>(choice.primitive, U(no_index)), U(no_index), choice.primitive + start.at.triangle);
@@ -95,7 +95,7 @@ class PhotonKernel : public BatchKernel<PhotonKernel<F>, BatchQueues<PhotonState
 
   template <template <class> class Kind>
   [[gnu::flatten]] void shade(AtSurface<PhotonState, F>& at, const Mask<F>& active) {
-    PhotonState<F>& s = at.history;
+    PhotonState<F>& s = at.path_state;
     const ScatteringBsdf<Kind<F>, F> bsdf = Base::template scattering_at<Kind>(at, active);
     const Frame<F>& frame = bsdf.at.frame;
     const Vec3<F> wo_local = frame.to_local(Vec3<F>(-s.direction));
@@ -110,7 +110,7 @@ class PhotonKernel : public BatchKernel<PhotonKernel<F>, BatchQueues<PhotonState
       store(at, active && wo_local.z > 0 && max_component(s.flux) > 0 && !equal<F>(U(s.bounced & wanted), U(0u)),
             [&](const Vec3<F>& stored) {
               return Landed{at.p.x,   at.p.y,   at.p.z,     stored.x,
-                            stored.y, stored.z, at.surface, sheet_word<F>(at.normal, frame.n)};
+                            stored.y, stored.z, at.surface, side_word<F>(at.normal, frame.n)};
             });
       s.flux = flux;
       if (task_.kind == PhotonKind::caustic) return;
@@ -173,7 +173,7 @@ class PhotonKernel : public BatchKernel<PhotonKernel<F>, BatchQueues<PhotonState
 
   template <class Record>
   void store_on_rough(const AtSurface<PhotonState, F>& at, const Record& bsdf, const Mask<F>& lanes) {
-    const PhotonState<F>& s = at.history;
+    const PhotonState<F>& s = at.path_state;
     // In detailed scenes on whatever can be rough: how often a hit draws such a BSDF is known, how rough it is not.
     const Mask<F> rough = scene_.detailed ? as_mask<F>(true) : bsdf.is_rough(scene_.rough_limit);
     const Mask<F> by_mirrors = equal<F>(U(s.bounced & (specularly | roughly)), U(specularly));
@@ -187,7 +187,7 @@ class PhotonKernel : public BatchKernel<PhotonKernel<F>, BatchQueues<PhotonState
                     from_word<F>(words.shares),
                     from_word<F>(words.direction),
                     surface_number(at.surface) | PhotonSurface::rough,
-                    sheet_word<F>(at.normal, to_light)};
+                    side_word<F>(at.normal, to_light)};
     });
   }
 
@@ -202,16 +202,16 @@ class PhotonKernel : public BatchKernel<PhotonKernel<F>, BatchQueues<PhotonState
     s.bounced = select(smooth && rough, U(s.bounced | roughly), s.bounced);
   }
 
-  /// `make_landed` makes a photon of its flux; edges are still to be added to its sheet.
+  /// `make_landed` makes a photon of its flux; edges are still to be added to its surface side.
   template <class MakeLanded>
   void store(const AtSurface<PhotonState, F>& at, const Mask<F>& lanes, MakeLanded&& make_landed) {
     F stored_share(1.0f);
     Mask<F> stored = lanes;
-    const F edges = to_float(at.history.edges);
+    const F edges = to_float(at.path_state.edges);
     if (any(lanes && edges > every_edge_until)) {
       stored_share = lane_min(F(every_edge_until / edges), F(1.0f));
-      stored = lanes && draw_independent<F>(U(task_.seed), U(at.history.path + task_.first),
-                                            U(at.history.edges + thinning_dimensions)) < stored_share;
+      stored = lanes && draw_independent<F>(U(task_.seed), U(at.path_state.path + task_.first),
+                                            U(at.path_state.edges + thinning_dimensions)) < stored_share;
     }
     const std::uint32_t bits = to_bits(stored);
     if (bits == 0) return;
@@ -220,10 +220,10 @@ class PhotonKernel : public BatchKernel<PhotonKernel<F>, BatchQueues<PhotonState
     const auto put = [&](auto& to, const auto& value) {
       compress_store(value, bits, reinterpret_cast<std::uint32_t*>(to + d.count));
     };
-    Landed landed = make_landed(Vec3<F>(at.history.flux * (1 / stored_share)));
-    landed.sheet = with_edges<F>(landed.sheet, at.history.edges);
+    Landed landed = make_landed(Vec3<F>(at.path_state.flux * (1 / stored_share)));
+    landed.surface_side = with_edges<F>(landed.surface_side, at.path_state.edges);
     zip_photons(put, d.photons, landed);
-    put(d.path, at.history.path);
+    put(d.path, at.path_state.path);
     d.count += static_cast<std::size_t>(std::popcount(bits));
   }
 

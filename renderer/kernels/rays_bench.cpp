@@ -1,5 +1,5 @@
 // Rays by kind and scene size; the path tracer end to end against its own rays through Embree alone; where the packed
-// kernel stops paying (small_scene_limit). Everything on one thread; items are rays.
+// kernel stops paying (brute_force_limit). Everything on one thread; items are rays.
 //   ./run --bench rays
 
 #include <benchmark/benchmark.h>
@@ -89,7 +89,7 @@ void query(benchmark::State& state, const std::string& name, Kind kind) {
 }
 
 /// Path tracing among random parallelograms, through the packed kernel or through Embree: where they cross is
-/// small_scene_limit.
+/// brute_force_limit.
 void threshold(benchmark::State& state, int plates, const std::string& isa, bool embree) {
   const std::unique_ptr<Scene> scene = bench::random_plates(plates, embree);
   std::uint64_t rays = 0;

@@ -50,7 +50,7 @@ constexpr bool leaves_shared_hits_out(DirectLight from) {
 struct PathSettings {
   int max_depth = -1;
   int rr_depth = 5;
-  bool hide_emitters = false;  ///< camera rays pass lamps and show no environment
+  bool hide_emitters = false;  ///< camera rays pass lights and show no environment
   DirectLight direct_light = DirectLight::weighted;
   bool indirect_only = false;  ///< beside maps: no light up to the first Lambertian vertex
   /// The environment, behind surfaces that let camera rays go straight on.
@@ -79,23 +79,23 @@ struct BouncesView {
   float* distance = nullptr;                             ///< filled with the ray's, where it meets anything
 };
 
-/// A lamp as a ball: of the same flux to all sides, per area of its disc.
-struct LampBall {
+/// A light as a ball: of the same flux to all sides, per area of its disc.
+struct LightBall {
   Vec3f center;
   float radius = 0, radiance = 0;
 };
 
-/// Lamps to search, and within how many of their radii; without them those that rays meet are what is found.
-struct LampSearch {
-  const LampBall* lamps = nullptr;
+/// Lights to search, and within how many of their radii; without them those that rays meet are what is found.
+struct LightSearch {
+  const LightBall* lights = nullptr;
   std::size_t count = 0;
   float within = 1;
 };
 
 struct PathTask;
 
-/// What camera paths do at rough parts of BSDFs on their way to the first Lambertian surface (rough_look_up.h).
-struct RoughLookUps {
+/// What camera paths do at rough parts of BSDFs on their way to the first Lambertian surface (rough_gather.h).
+struct RoughGathers {
   bool by_photons = false;  ///< light that only they bring is not counted otherwise
   PhotonView map{};         ///< the caustic map; without photons none are looked up
   std::int32_t max_edges = 0;
@@ -115,13 +115,13 @@ struct PathTask {
   BouncesView bounces{};  ///< where CacheRays start
   PathSettings settings;
   PathPolicy policy = PathPolicy::path_tracing;
-  LampSearch search{};               ///< of a PilotPass, which gives `radiance` another meaning (lamp_search.h)
+  LightSearch search{};              ///< of a PilotPass, which gives `radiance` another meaning (light_search.h)
   float* radiance = nullptr;         ///< 3 a path, in the task's order of paths
   std::uint32_t* scratch = nullptr;  ///< PathKernelEntry::scratch words
   GatherPoints points{};             ///< of a GatherQueue with room for one a path, where paths leave them
   GatherPoints caustic_points{};     ///< of final_gather.h, for caustic photons alone: room for two a path, or none
   bool caustics_at_first = true;     ///< whether the first Lambertian vertex leaves one of those
-  RoughLookUps rough{};
+  RoughGathers rough{};
   float near_hit = 0;  ///< of a final gather: hits nearer than this are traced on
   RayCounts counts{};
 };

@@ -1,5 +1,5 @@
-// The lane type: code that shades, samples and intersects is a template over F, which is `float` (one history, the
-// readable form and the tests' oracle) or a SIMD pack of floats, one history a lane. What follows is what F needs
+// The lane type: code that shades, samples and intersects is a template over F, which is `float` (one path, the
+// readable form and the tests' oracle) or a SIMD pack of floats, one path a lane. What follows is what F needs
 // beyond operators; lane_pack.h overloads it for packs, where a source asks for them by PHOTONPROOF_PACKS before its
 // first include: kernels and their tests do. Others are spared <experimental/simd>, a third of what they would take to
 // compile.

@@ -80,7 +80,7 @@ TEST_P(ClosedRoom, is_right_within_the_error_it_claims) {
              b.integrator + std::string(" at albedo ") + std::to_string(b.albedo));
 }
 
-// The relative variance of a history is about rho, as roulette.h says (15 at 0.9999 if its length were cut at that of
+// The relative variance of a path is about rho, as roulette.h says (15 at 0.9999 if its length were cut at that of
 // lossless ones); bdpt, which joins each of the thousands of vertices there with a light path's, is left out of that
 // one.
 INSTANTIATE_TEST_SUITE_P(
@@ -103,7 +103,7 @@ TEST(cloud, of_albedo_9999_in_uniform_light_loses_what_its_mean_path_absorbs) {
   // Parallel rays over a ball's whole cross-section meet it as light from everywhere would, since it looks the same
   // from everywhere; and whatever a body scatters, the mean length of such paths in it is 4 V / S = 4/3 R (Blanco and
   // Fournier 2003). Red, with sigma_a = 10 (1 - 0.9999), then loses sigma_a 4/3 over the disc, pi/4 of the image, less
-  // sigma_a <l^2> / (2 <l>) < 0.5 % of that. Blue, not absorbed, loses nothing. Histories go on for a hundred
+  // sigma_a <l^2> / (2 <l>) < 0.5 % of that. Blue, not absorbed, loses nothing. Paths go on for a hundred
   // scatterings and more: a share of 0.05 that dies each time makes blue's variance infinite.
   SceneDescription scene;
   HomogeneousDescription cloud{RgbD(10), RgbD{0.9999, 0.9999, 1}, 1, HenyeyGreensteinDescription{0.3}};

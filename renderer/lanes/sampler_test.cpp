@@ -173,7 +173,7 @@ TEST(sampler, neighbours_are_uncorrelated) {
               0, five_sigma);
 }
 
-TEST(sampler, draws_of_one_history_are_jointly_uniform) {
+TEST(sampler, draws_of_one_path_are_jointly_uniform) {
   // Pairs over 16 x 16 cells: neighbouring indices, neighbouring dimensions, and the single draw beside the point's.
   const auto check = [](const char* what, const auto& pair) {
     EXPECT_GT(uniformity(series(pair)), test::sidak_level(8)) << what;

@@ -16,14 +16,14 @@ namespace {
 /// the angle that it is seen under, p(z | phi) ~ 1/(D^2 + z^2), and phi
 ///   from outside by p(phi) ~ 1/D^2, half of whose integral is t: tan(phi/2) = tan(t) / stretch
 ///   from within by the angle psi that it is seen under, to the direction away from the axis
-/// In double: of a lamp far away the differences of arc tangents are small. By the gap rho - R and the versine
-/// 1 - cos(phi): of a lamp close by those are.
+/// In double: of a light far away the differences of arc tangents are small. By the gap rho - R and the versine
+/// 1 - cos(phi): of a light close by those are.
 struct SeenCylinder {
   Vec3d from_axis, side, along;  ///< unit: to p, and the other two axes
   double rho, radius, low, high;
   double gap;        ///< rho - R
   double least_gap;  ///< of p on the cylinder
-  double span;       ///< high - low, of which those two keep no digits where the lamp is a speck
+  double span;       ///< high - low, of which those two keep no digits where the light is a speck
   bool within;
   double stretch = 0;          ///< from outside (rho + R) / (rho - R)
   double from = 0, range = 0;  ///< of t or psi; empty where nothing shines on p
@@ -73,7 +73,7 @@ struct SeenCylinder {
   /// The angle that the line is seen under, whose distance is d.
   double angle(double d) const { return std::atan2(d * span, d * d + low * high); }
   double per_solid_angle(double versine, double z, double sign) const {
-    const double facing = sign * (gap - rho * versine);  // D times the cosine at the lamp, across the axis
+    const double facing = sign * (gap - rho * versine);  // D times the cosine at the light, across the axis
     if (!(range > 0 && facing > 0)) return 0;
     const double d2 = distance2(versine), d = std::sqrt(d2), to_point = std::sqrt(d2 + z * z);
     if (within) return to_point / (range * angle(d) * d);

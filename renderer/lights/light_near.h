@@ -1,13 +1,13 @@
-// Sampling a flat lamp from a point that is close for its size. Points drawn uniformly by area would nearly all be far
-// away: of a lamp of half-size S at height h only a share (h/S)^2 lies where the light comes from. Here the lamp is cut
-// into parallel chords, and both the chord and the point on it are drawn by the angle they are seen under, as Kulla and
-// Fajardo (2012, "Importance Sampling Techniques for Path Tracing in Participating Media", section 4.1) draw points of
-// a segment. With h the height above the plane, y the chord's distance from the foot of p, D^2 = h^2 + y^2 and x the
+// Sampling a flat light from a point that is close for its size. Points drawn uniformly by area would nearly all be far
+// away: of a light of half-size S at height h only a share (h/S)^2 lies where the light comes from. Here the light is
+// cut into parallel chords, and both the chord and the point on it are drawn by the angle they are seen under, as Kulla
+// and Fajardo (2012, "Importance Sampling Techniques for Path Tracing in Participating Media", section 4.1) draw points
+// of a segment. With h the height above the plane, y the chord's distance from the foot of p, D^2 = h^2 + y^2 and x the
 // place on the chord,
 //   p(y) = h / (a D^2),   p(x | y) = D / (b(y) d^2),   a, b: the angles of the strip and of the chord, at most pi
-// so that the density per solid angle, p(y) p(x|y) d^3/h = d / (a b D), is never below 1/pi^2, whatever the lamp's
-// size: an even density over the hemisphere is 1/(2 pi). Chords run across the direction in which p is beside the lamp,
-// for otherwise those near p would be drawn at grazing angles although the lamp does not come near.
+// so that the density per solid angle, p(y) p(x|y) d^3/h = d / (a b D), is never below 1/pi^2, whatever the light's
+// size: an even density over the hemisphere is 1/(2 pi). Chords run across the direction in which p is beside the
+// light, for otherwise those near p would be drawn at grazing angles although the light does not come near.
 #pragma once
 
 #include <array>
@@ -18,16 +18,16 @@
 
 namespace photonproof::inline renderer_lights {
 
-/// A lamp is close where p is within twice its half-extent from its centre: elsewhere no point of it is nearer than its
-/// half-extent, and area sampling is as good and cheaper.
+/// A light is close where p is within twice its half-extent from its centre: elsewhere no point of it is nearer than
+/// its half-extent, and area sampling is as good and cheaper.
 template <class F>
 Mask<F> is_close(const Vec3<F>& p, const Vec3<F>& center, const F& half_extent2) {
   const Vec3<F> d = p - center;
   return dot(d, d) < 4 * half_extent2;
 }
 
-/// The quick test that goes before: where p is close, no point of the lamp is as far as three half-extents. `distance2`
-/// is the square to any point; with a margin for rounding.
+/// The quick test that goes before: where p is close, no point of the light is as far as three half-extents.
+/// `distance2` is the square to any point; with a margin for rounding.
 template <class F>
 bool some_may_be_close(const F& distance2, const F& half_extent2) {
   return any(distance2 < 9.1f * half_extent2);
@@ -50,7 +50,7 @@ F at_angle(const F& u, const F& angle, const F& low, const F& high, const F& dis
   return select(along > 0, lane_min(lane_max(x, low), high), select(across > 0, high, low));
 }
 
-/// A lamp's `offset` where its corner tells heights above its plane.
+/// A light's `offset` where its corner tells heights above its plane.
 inline constexpr float told_by_corner = std::numeric_limits<float>::infinity();
 /// Of p above a plane. Differences from a corner far away leave no digits of it: there the plane's normal . x does.
 template <class F>
@@ -58,7 +58,7 @@ F height_above(const Vec3<F>& p, const Vec3<F>& corner, const Vec3<F>& normal, c
   return select(offset < told_by_corner, F(dot(p, normal) - offset), dot(p - corner, normal));
 }
 
-/// Where p is over the lamp's plane.
+/// Where p is over the light's plane.
 template <class F>
 struct FlatFrame {
   Vec3<F> along, up;  ///< unit and perpendicular, in the plane; chords run along `along`
@@ -99,7 +99,7 @@ CloseSample<F> close_sample(const Flat& flat, const Vec3<F>& normal, const Vec2<
   const Vec3<F> offset = advance(advance(normal * (-height), y, flat.frame.up), x, flat.frame.along);
   return {offset, close_pdf(height, flat.y_low, flat.y_high, y, chord, x)};
 }
-/// Of a point of the lamp that was found otherwise, at this offset from p.
+/// Of a point of the light that was found otherwise, at this offset from p.
 template <class F, class Flat>
 F close_pdf(const Flat& flat, const Vec3<F>& offset) {
   const F y = lane_min(lane_max(F(dot(offset, flat.frame.up)), flat.y_low), flat.y_high);
@@ -114,17 +114,17 @@ void choose_close(LightSample<F>& s, const Mask<F>& close, const Vec3<F>& p, con
   s.pdf = select(close, c.pdf, s.pdf);
 }
 
-/// Of lamps with is_close_to(p), height(p) and shape_from(p). Few packs have close lanes: the code is out of the
-/// way of the others. Behind the lamp, on a ceiling around it say, densities are 0 whichever way they are found.
-template <class F, class Lamp>
-[[gnu::noinline]] void sample_close(const Lamp& lamp, const Vec3<F>& p, const Vec2<F>& u, LightSample<F>& s) {
-  const Mask<F> close = lamp.is_close_to(p) && lamp.height(p) > 0;
-  if (any(close)) choose_close(s, close, p, close_sample<F>(lamp.shape_from(p), lamp.normal, u));
+/// Of lights with is_close_to(p), height(p) and shape_from(p). Few packs have close lanes: the code is out of the
+/// way of the others. Behind the light, on a ceiling around it say, densities are 0 whichever way they are found.
+template <class F, class Light>
+[[gnu::noinline]] void sample_close(const Light& light, const Vec3<F>& p, const Vec2<F>& u, LightSample<F>& s) {
+  const Mask<F> close = light.is_close_to(p) && light.height(p) > 0;
+  if (any(close)) choose_close(s, close, p, close_sample<F>(light.shape_from(p), light.normal, u));
 }
-template <class F, class Lamp>
-[[gnu::noinline]] void pdf_close(const Lamp& lamp, const Vec3<F>& p, const Vec3<F>& p_light, F& pdf) {
-  const Mask<F> close = lamp.is_close_to(p) && lamp.height(p) > 0;
-  if (any(close)) pdf = select(close, close_pdf<F>(lamp.shape_from(p), Vec3<F>(p_light - p)), pdf);
+template <class F, class Light>
+[[gnu::noinline]] void pdf_close(const Light& light, const Vec3<F>& p, const Vec3<F>& p_light, F& pdf) {
+  const Mask<F> close = light.is_close_to(p) && light.height(p) > 0;
+  if (any(close)) pdf = select(close, close_pdf<F>(light.shape_from(p), Vec3<F>(p_light - p)), pdf);
 }
 
 /// Axes with `along` on an edge, and where p is, given from their origin and above the plane.
@@ -202,7 +202,7 @@ struct CloseEllipse {
   }
 };
 
-/// One history at a time, as meshes are sampled.
+/// One path at a time, as meshes are sampled.
 struct CloseTriangle {
   FlatFrame<float> frame;
   float y_low, y_high;

@@ -19,7 +19,7 @@ struct QuadLight {
   F offset;          ///< normal . x of its points, where the corner is too far off (light_near.h)
 
   LightSample<F> sample(const Vec3<F>& p, const Vec2<F>& u) const {
-    const Vec3<F> p_light = point(has_fault(Fault::part_of_lamp) ? Vec2<F>{F(u.x * 0.9f), u.y} : u);
+    const Vec3<F> p_light = point(has_fault(Fault::part_of_light) ? Vec2<F>{F(u.x * 0.9f), u.y} : u);
     const Vec3<F> d = p_light - p;
     const F distance2 = dot(d, d);
     const Vec3<F> wi = d * (1 / lane_sqrt(distance2));

@@ -159,8 +159,8 @@ TEST(spot_light, flux_is_that_of_its_cone_down_to_the_narrowest) {
 // Whatever its size, a speck's points are drawn alike: the density times the area stays.
 TEST(cylinder_light, is_sampled_alike_down_to_the_smallest) {
   const auto density_times_area = [](float size) {
-    const CylinderShape lamp{{1, 5, -1}, {0, 0, size}, {1, 0, 0}, {0, 1, 0}, size, 1};
-    return double{lamp.sample_from({0, 0, 0}, {0.3f, 0.6f}).pdf} * double{size} * double{size};
+    const CylinderShape area_light{{1, 5, -1}, {0, 0, size}, {1, 0, 0}, {0, 1, 0}, size, 1};
+    return double{area_light.sample_from({0, 0, 0}, {0.3f, 0.6f}).pdf} * double{size} * double{size};
   };
   for (const float size : {1e-6f, 1e-9f, 1e-12f, 1e-15f})
     EXPECT_NEAR(density_times_area(size) / density_times_area(1e-4f), 1, 1e-3) << size;

@@ -107,16 +107,16 @@ TEST(light_tree, no_light_that_shines_on_a_point_is_left_out) {
   }
 }
 
-TEST(light_tree, the_nearest_of_equal_lamps_is_chosen_far_more_often_than_by_flux) {
-  // Sixteen lamps in a corridor: pairs 1 apart, pairs of pairs 10, then 100 and 1000. Whatever a split costs, the one
-  // in the widest gap is the cheapest, so that the tree is known: lamp i turns right where bit k of i is set, and its
-  // node at level k is the lamps from `first` to first + 2^(k+1) - 1. Lamps shine everywhere; what a node promises is
+TEST(light_tree, the_nearest_of_equal_lights_is_chosen_far_more_often_than_by_flux) {
+  // Sixteen lights in a corridor: pairs 1 apart, pairs of pairs 10, then 100 and 1000. Whatever a split costs, the one
+  // in the widest gap is the cheapest, so that the tree is known: light i turns right where bit k of i is set, and its
+  // node at level k is the lights from `first` to first + 2^(k+1) - 1. Lights shine everywhere; what a node promises is
   // its power over the squared distance of its box's middle, or over its box's half diagonal squared where p is nearer.
   const auto at = [](std::uint32_t i) { return i % 2 + 10 * (i / 2 % 2) + 100 * (i / 4 % 2) + 1000.0 * (i / 8); };
   std::vector<Light> lights;
   for (std::uint32_t i = 0; i < 16; ++i) lights.emplace_back(PointLight<float>{Vec3f(Vec3d(at(i), 2, -1)), Rgb(3)});
   const LightTree tree(lights);
-  const Vec3d p(100, 2.1, -1);  // 0.1 from lamp 4
+  const Vec3d p(100, 2.1, -1);  // 0.1 from light 4
   const auto promise = [&](std::uint32_t first, std::uint32_t count) {
     const double middle = (at(first) + at(first + count - 1)) / 2, half = (at(first + count - 1) - at(first)) / 2;
     const Vec3d d = p - Vec3d(middle, 2, -1);
@@ -135,11 +135,11 @@ TEST(light_tree, the_nearest_of_equal_lamps_is_chosen_far_more_often_than_by_flu
     sum += expected;
   }
   EXPECT_NEAR(sum, 1, 1e-12);
-  // By flux it would be 1/16; of lamp 4's nodes these are the shares.
+  // By flux it would be 1/16; of light 4's nodes these are the shares.
   EXPECT_NEAR(tree.probability(Vec3f(p), 4), 0.99664 * 0.99662 * 0.99765 * 0.99020, 1e-4);
 }
 
-TEST(light_tree, lamps_in_one_place_do_no_harm) {
+TEST(light_tree, lights_in_one_place_do_no_harm) {
   const std::vector<Light> lights(40, PointLight<float>{{1, 1, 1}, Rgb(1)});
   const LightTree tree(lights);
   for (std::uint32_t i = 0; i < 40; ++i) EXPECT_NEAR(tree.probability({1, 1, 1}, i), 1.0f / 40, 1e-2f);

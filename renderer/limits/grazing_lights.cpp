@@ -16,48 +16,48 @@ constexpr double half_step = 0x1p-24;
 /// Of a cosine: what may be lost without a word.
 constexpr double least_loss = 1e-3;
 
-Extent extent_of_lamp(const LightBounds& bounds) { return {Vec3d(bounds.low), Vec3d(bounds.high)}; }
+Extent extent_of_light(const LightBounds& bounds) { return {Vec3d(bounds.low), Vec3d(bounds.high)}; }
 
-/// A lamp that is small, and how it grazes the surfaces near it.
-struct LowLamp {
+/// A light that is small, and how it grazes the surfaces near it.
+struct LowLight {
   Vec3d at;
   double within;  ///< how far away a surface may be
   LightBounds bounds;
   GrazingLight worst;
 };
 
-class LowLamps {
+class LowLights {
  public:
   /// `reach`: how far from the origin most of what is lit lies.
-  explicit LowLamps(double reach) : reach_(reach) {}
+  explicit LowLights(double reach) : reach_(reach) {}
 
   /// Before any surface is looked at.
   void add(std::size_t light, const LightBounds& bounds) {
-    const Extent lamp = extent_of_lamp(bounds);
-    const Vec3d at = lamp.middle();
-    const double size = largest_coordinate(lamp.high - lamp.low) * 0.5;
+    const Extent area_light = extent_of_light(bounds);
+    const Vec3d at = area_light.middle();
+    const double size = largest_coordinate(area_light.high - area_light.low) * 0.5;
     const double within = half_step * std::numbers::sqrt3 * std::max(largest_coordinate(at), reach_) / least_loss;
-    if (size < within) lamps_.push_back({at, within, bounds, {light, false, 0, 0}});
+    if (size < within) lights_.push_back({at, within, bounds, {light, false, 0, 0}});
   }
 
-  bool empty() const { return lamps_.empty(); }
+  bool empty() const { return lights_.empty(); }
 
-  PlacesByX<LowLamp> places() { return PlacesByX<LowLamp>(lamps_); }
+  PlacesByX<LowLight> places() { return PlacesByX<LowLight>(lights_); }
 
   void tell(std::vector<GrazingLight>& found) const {
-    for (const LowLamp& lamp : lamps_)
-      if (lamp.worst.rounding > 0) found.push_back(lamp.worst);
+    for (const LowLight& area_light : lights_)
+      if (area_light.worst.rounding > 0) found.push_back(area_light.worst);
   }
 
-  void compare(LowLamp& lamp, const Vec3d& point, Vec3d normal) const {
-    const Vec3d apart = lamp.at - point;
+  void compare(LowLight& area_light, const Vec3d& point, Vec3d normal) const {
+    const Vec3d apart = area_light.at - point;
     const double height = length(apart), lost = rounding(point, normal);
     if (!(height > 0) || !(lost > least_loss * height)) return;
-    if (height > lost ? dot(apart, normal) < 0 : dot(Vec3d(lamp.bounds.axis), normal) < 0) normal = -normal;
-    if (!shines_below(lamp.bounds, normal)) return;
-    if (lost / height <= lamp.worst.loss()) return;
-    lamp.worst.height = height;
-    lamp.worst.rounding = lost;
+    if (height > lost ? dot(apart, normal) < 0 : dot(Vec3d(area_light.bounds.axis), normal) < 0) normal = -normal;
+    if (!shines_below(area_light.bounds, normal)) return;
+    if (lost / height <= area_light.worst.loss()) return;
+    area_light.worst.height = height;
+    area_light.worst.rounding = lost;
   }
 
  private:
@@ -77,15 +77,15 @@ class LowLamps {
   }
 
   double reach_;
-  std::vector<LowLamp> lamps_;
+  std::vector<LowLight> lights_;
 };
 
-/// Light from one side, and lamps that are so far away that theirs is.
+/// Light from one side, and lights that are so far away that theirs is.
 class GrazingBeams {
  public:
   explicit GrazingBeams(double reach) : reach_(reach) {}
 
-  /// Lamps so many times as far away as most of what is lit shine from one side.
+  /// Lights so many times as far away as most of what is lit shine from one side.
   static constexpr double far_away = 256;
 
   void add(std::size_t light, const Vec3d& direction) { beams_.push_back({direction, 0, {light, true, 0, 0}}); }
@@ -145,33 +145,33 @@ std::vector<GrazingLight> grazing_lights(const SceneParts& scene) {
   // What is lit and seen is about as far from the origin as the shapes or the camera are.
   const double reach =
       std::max(2 * double{scene.frame.coordinate_floor}, largest_coordinate(Vec3d(scene.camera.origin)));
-  LowLamps lamps(reach);
+  LowLights area_lights(reach);
   GrazingBeams beams(reach);
   for (std::size_t i = 0; i < scene.lights.size(); ++i) {
     if (const auto* beam = std::get_if<DirectionalLight<float>>(&scene.lights[i])) beams.add(i, Vec3d(beam->direction));
     const std::optional<LightBounds> bounds = light_bounds(scene.lights[i]);
     if (!bounds) continue;
-    const Extent lamp = extent_of_lamp(*bounds);
-    const Vec3d at = lamp.middle();
+    const Extent area_light = extent_of_light(*bounds);
+    const Vec3d at = area_light.middle();
     const double away = length(at);
-    if (away > GrazingBeams::far_away * reach && length(lamp.high - lamp.low) < least_loss * away)
+    if (away > GrazingBeams::far_away * reach && length(area_light.high - area_light.low) < least_loss * away)
       beams.add(i, at * (1 / away));
     else
-      lamps.add(i, *bounds);
+      area_lights.add(i, *bounds);
   }
   std::vector<GrazingLight> found;
-  if (lamps.empty() && beams.empty()) return found;
-  const PlacesByX<LowLamp> places = lamps.places();
+  if (area_lights.empty() && beams.empty()) return found;
+  const PlacesByX<LowLight> places = area_lights.places();
   for (std::size_t i = 0; i < scene.surfaces.size(); ++i) {
     const Surface& surface = scene.surfaces[i];
     if (surface.light != no_index) continue;  // what it is lit by does not show beside its own light
     if (!scene.bsdfs.any_leaf(surface.bsdf, [](const Bsdf& leaf, bool) { return has_smooth(leaf); })) continue;
-    places.look_at(surface, scene.boxes[i], [&](LowLamp& lamp, const Vec3d& point, const Vec3d& normal) {
-      lamps.compare(lamp, point, normalize(normal));
+    places.look_at(surface, scene.boxes[i], [&](LowLight& area_light, const Vec3d& point, const Vec3d& normal) {
+      area_lights.compare(area_light, point, normalize(normal));
     });
     if (!beams.empty()) beams.look_at(surface);
   }
-  lamps.tell(found);
+  area_lights.tell(found);
   beams.tell(found);
   std::sort(found.begin(), found.end(), [](const GrazingLight& a, const GrazingLight& b) { return a.light < b.light; });
   for (GrazingLight& light : found) {

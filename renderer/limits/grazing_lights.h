@@ -12,13 +12,13 @@ namespace photonproof::inline renderer_limits {
 /// One of a light, where it is known worst.
 struct GrazingLight {
   std::size_t light = 0;       ///< index into SceneParts::lights
-  bool from_one_side = false;  ///< a beam, or a lamp so far away that it is one
-  double height = 0;    ///< of a lamp above the surface, in the description's lengths; of a beam the sine of its angle
+  bool from_one_side = false;  ///< a beam, or a light so far away that it is one
+  double height = 0;    ///< of a light above the surface, in the description's lengths; of a beam the sine of its angle
   double rounding = 0;  ///< of that, either way: what single precision may make of it
   double loss() const { return rounding > 0 ? rounding / height : 0; }
 };
 
-/// Those whose light on some surface is known to no better than a thousandth. Lamps are if they are small and near a
+/// Those whose light on some surface is known to no better than a thousandth. Lights are if they are small and near a
 /// surface that is not only a mirror; beams by their angle to half of all flat faces or more, of which instances
 /// of many triangles are not asked.
 std::vector<GrazingLight> grazing_lights(const SceneParts& scene);

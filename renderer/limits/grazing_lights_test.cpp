@@ -1,6 +1,6 @@
-// Floors in the plane z = 0 of their own world, which is then turned so that no coordinate is special, and lamps so low
-// above them that what single precision makes of their height shows. That the light is wrong there as far as this says,
-// and that it is not where this says nothing, stress ladders show ("near the floor, turned", "grazing, turned").
+// Floors in the plane z = 0 of their own world, which is then turned so that no coordinate is special, and lights so
+// low above them that what single precision makes of their height shows. That the light is wrong there as far as this
+// says, and that it is not where this says nothing, stress sweeps show ("near the floor, turned", "grazing, turned").
 
 #include "renderer/limits/grazing_lights.h"
 
@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "renderer/integrators/test_scenes.h"
-#include "renderer/limits/near_lamps.h"
+#include "renderer/limits/near_lights.h"
 
 namespace photonproof::inline renderer_limits {
 namespace {
@@ -24,7 +24,7 @@ namespace {
 using GeometryOfShape = decltype(ShapeDescription::geometry);
 
 const Transform turn = Transform::rotate({1, 2, 3}, 40);
-/// Where lamps hang over.
+/// Where lights hang over.
 const Vec3d foot{1, -2, 0};
 constexpr double half = 8;
 
@@ -46,8 +46,8 @@ SceneDescription stage(const Transform& turned, const decltype(BsdfDescription::
   return d;
 }
 
-SceneDescription stage_on(const GeometryOfShape& geometry, const Transform& place, const Transform& turned,
-                          const decltype(BsdfDescription::model)& model = DiffuseDescription{}) {
+SceneDescription test_scene_on(const GeometryOfShape& geometry, const Transform& place, const Transform& turned,
+                               const decltype(BsdfDescription::model)& model = DiffuseDescription{}) {
   SceneDescription d = stage(turned, model);
   test::add_shape(d, geometry, turned * place, {0});
   return d;
@@ -72,28 +72,30 @@ std::vector<std::pair<std::string, SceneDescription>> floors(const Transform& tu
   member.bsdf = {0};
   instance.groups.push_back({{}, "", {member}});
   test::add_shape(instance, InstanceDescription{ShapeGroupIndex{0}}, turned * as_floor, {0});
-  return {{"rectangle", stage_on(RectangleDescription{}, as_floor, turned)},
-          {"disk", stage_on(DiskDescription{}, as_floor, turned)},
-          {"huge rectangle", stage_on(RectangleDescription{}, Transform::scale(Vec3d(1e9)), turned)},
-          {"plane", stage_on(PlaneDescription{}, {}, turned)},
-          {"mesh", stage_on(mesh, as_floor, turned)},
-          {"instance", instance},
-          {"cube", stage_on(CubeDescription{}, over({0, 0, -half}) * as_floor, turned)},
-          {"sphere", stage_on(SphereDescription{}, over({0, 0, -half}) * as_floor, turned)},
-          {"cylinder", stage_on(CylinderDescription{{-half, 0, -half}, {half, 0, -half}, half}, over({}), turned)}};
+  return {
+      {"rectangle", test_scene_on(RectangleDescription{}, as_floor, turned)},
+      {"disk", test_scene_on(DiskDescription{}, as_floor, turned)},
+      {"huge rectangle", test_scene_on(RectangleDescription{}, Transform::scale(Vec3d(1e9)), turned)},
+      {"plane", test_scene_on(PlaneDescription{}, {}, turned)},
+      {"mesh", test_scene_on(mesh, as_floor, turned)},
+      {"instance", instance},
+      {"cube", test_scene_on(CubeDescription{}, over({0, 0, -half}) * as_floor, turned)},
+      {"sphere", test_scene_on(SphereDescription{}, over({0, 0, -half}) * as_floor, turned)},
+      {"cylinder", test_scene_on(CylinderDescription{{-half, 0, -half}, {half, 0, -half}, half}, over({}), turned)}};
 }
 
-TEST(grazing_lights, are_lamps_low_above_every_shape) {
+TEST(grazing_lights, are_lights_low_above_every_shape) {
   for (auto& [name, floor] : floors(turn)) {
     SceneDescription high = floor;
     add_point(floor, foot + Vec3d{0, 0, 1e-5}, turn);
-    const std::vector<GrazingLight> lamps = found(floor);
-    ASSERT_EQ(lamps.size(), 1u) << name;
-    EXPECT_EQ(lamps[0].light, 0u) << name;
-    EXPECT_FALSE(lamps[0].from_one_side) << name;
-    EXPECT_NEAR(lamps[0].height, 1e-5, lamps[0].rounding) << name;
-    EXPECT_GT(lamps[0].rounding, 6e-8) << name;                                    // coordinates of 2 are 2.4e-7 apart
-    EXPECT_LT(lamps[0].rounding, name == "huge rectangle" ? 2e-5 : 2e-6) << name;  // what of it is lit reaches further
+    const std::vector<GrazingLight> area_lights = found(floor);
+    ASSERT_EQ(area_lights.size(), 1u) << name;
+    EXPECT_EQ(area_lights[0].light, 0u) << name;
+    EXPECT_FALSE(area_lights[0].from_one_side) << name;
+    EXPECT_NEAR(area_lights[0].height, 1e-5, area_lights[0].rounding) << name;
+    EXPECT_GT(area_lights[0].rounding, 6e-8) << name;  // coordinates of 2 are 2.4e-7 apart
+    EXPECT_LT(area_lights[0].rounding, name == "huge rectangle" ? 2e-5 : 2e-6)
+        << name;  // what of it is lit reaches further
     add_point(high, foot + Vec3d{0, 0, 0.05}, turn);
     EXPECT_TRUE(found(high).empty()) << name;
   }
@@ -108,8 +110,8 @@ TEST(grazing_lights, are_none_where_an_axis_knows_the_height) {
 }
 
 // A floor one above the origin, which the other shapes' middles keep where it is: a height of 1e-6 is eight steps.
-TEST(grazing_lights, are_lamps_above_a_floor_far_from_its_axis_origin) {
-  SceneDescription d = stage_on(RectangleDescription{}, Transform::translate({0, 0, 1}) * as_floor, Transform());
+TEST(grazing_lights, are_lights_above_a_floor_far_from_its_axis_origin) {
+  SceneDescription d = test_scene_on(RectangleDescription{}, Transform::translate({0, 0, 1}) * as_floor, Transform());
   for (int i = 0; i < 2; ++i) test::add_shape(d, CubeDescription{}, Transform::translate({0, 0, -1.3}), {0});
   SceneDescription higher = d;
   add_point(d, foot + Vec3d{0, 0, 1 + 1e-6}, Transform());
@@ -121,21 +123,21 @@ TEST(grazing_lights, are_lamps_above_a_floor_far_from_its_axis_origin) {
 
 TEST(grazing_lights, are_none_on_mirrors) {
   for (const bool is_mirror : {true, false}) {
-    SceneDescription d = is_mirror ? stage_on(RectangleDescription{}, as_floor, turn, ConductorDescription{})
-                                   : stage_on(RectangleDescription{}, as_floor, turn, PhongDescription{});
+    SceneDescription d = is_mirror ? test_scene_on(RectangleDescription{}, as_floor, turn, ConductorDescription{})
+                                   : test_scene_on(RectangleDescription{}, as_floor, turn, PhongDescription{});
     add_point(d, foot + Vec3d{0, 0, 1e-5}, turn);
     EXPECT_EQ(found(d).empty(), is_mirror);
   }
 }
 
-// Flat lamps and spots by where they shine: `facing` is their axis in the floor's world.
+// Flat lights and spots by where they shine: `facing` is their axis in the floor's world.
 TEST(grazing_lights, are_those_that_shine_on_the_surface) {
   const std::vector<std::pair<Vec3d, bool>> facings{
       {{0, 0, 1}, false}, {{1, 0, 0.02}, true}, {{1, 0, 0}, true}, {{0, 0, -1}, true}};
   for (const auto& [facing, shines] : facings) {
     const Vec3d at = foot + Vec3d{0, 0, 1e-5};
     const Transform towards = turn * Transform::look_at(at, at + facing, {0, 1, 0});
-    SceneDescription flat = stage_on(RectangleDescription{}, as_floor, turn), spot = flat;
+    SceneDescription flat = test_scene_on(RectangleDescription{}, as_floor, turn), spot = flat;
     test::add_shape(flat, DiskDescription{}, towards * Transform::scale(Vec3d(1e-6)),
                     test::add_bsdf(flat, DiffuseDescription{}))
         .radiance = RgbD(1);
@@ -150,7 +152,7 @@ TEST(grazing_lights, are_those_that_shine_on_the_surface) {
 }
 
 TEST(grazing_lights, are_none_for_being_near_to_themselves) {
-  SceneDescription d = stage_on(RectangleDescription{}, as_floor, turn);
+  SceneDescription d = test_scene_on(RectangleDescription{}, as_floor, turn);
   const MeshDescription tetrahedron = mesh_of({Vec3f(0, 0, 0), Vec3f(1, 0, 0), Vec3f(0, 1, 0), Vec3f(0, 0, 1)},
                                               {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}});
   test::add_shape(d, tetrahedron, turn * Transform::translate({0, 0, 1}) * Transform::scale(Vec3d(1e-6)), {0})
@@ -169,17 +171,17 @@ TEST(grazing_lights, are_told_where_they_are_known_worst) {
       test::add_shape(d, RectangleDescription{}, turned * as_floor, {0});
       if (!wall_first) test::add_shape(d, RectangleDescription{}, turned * wall * as_floor, {0});
       add_point(d, foot + Vec3d{0, 0, 1e-5}, turned);
-      const std::vector<GrazingLight> lamps = found(d);
-      ASSERT_EQ(lamps.size(), 1u) << unit;
-      EXPECT_NEAR(lamps[0].height, 3e-6 * unit, lamps[0].rounding) << unit;
-      EXPECT_LT(lamps[0].rounding, 2e-6 * unit) << unit;
+      const std::vector<GrazingLight> area_lights = found(d);
+      ASSERT_EQ(area_lights.size(), 1u) << unit;
+      EXPECT_NEAR(area_lights[0].height, 3e-6 * unit, area_lights[0].rounding) << unit;
+      EXPECT_LT(area_lights[0].rounding, 2e-6 * unit) << unit;
     }
   }
 }
 
 TEST(grazing_lights, are_none_that_are_larger_than_what_is_lost) {
   for (const double size : {1e-6, 1e-2}) {
-    SceneDescription d = stage_on(RectangleDescription{}, as_floor, turn);
+    SceneDescription d = test_scene_on(RectangleDescription{}, as_floor, turn);
     test::add_shape(d, SphereDescription{},
                     turn * Transform::translate(foot + Vec3d{0, 0, 1e-5 + size}) * Transform::scale(Vec3d(size)), {0})
         .radiance = RgbD(1);
@@ -223,11 +225,11 @@ TEST(grazing_lights, are_beams_by_their_least_angle) {
 }
 
 TEST(grazing_lights, are_not_beams_along_what_is_dark_beside_the_rest) {
-  SceneDescription cube = stage_on(CubeDescription{}, as_floor, turn);
+  SceneDescription cube = test_scene_on(CubeDescription{}, as_floor, turn);
   cube.emitters.push_back({{}, "", DirectionalLightDescription{at_sine(0.5), RgbD(1)}});
   EXPECT_TRUE(found(cube).empty());
   for (const double small : {4.0, 12.0}) {  // beside 8 x 8
-    SceneDescription d = stage_on(RectangleDescription{}, as_floor, turn);
+    SceneDescription d = test_scene_on(RectangleDescription{}, as_floor, turn);
     test::add_shape(d, RectangleDescription{}, turn * Transform::rotate({0, 1, 0}, 60) * Transform::scale(Vec3d(small)),
                     {0});
     const double angle = 60 * std::numbers::pi / 180, sine = 1e-5;
@@ -237,31 +239,31 @@ TEST(grazing_lights, are_not_beams_along_what_is_dark_beside_the_rest) {
   }
 }
 
-std::vector<NearLamp> above_spots(const SceneDescription& d, double within) {
-  return lamps_above_spots(SceneParts(d, 4, 4), within);
+std::vector<NearLight> above_spots(const SceneDescription& d, double within) {
+  return lights_above_spots(SceneParts(d, 4, 4), within);
 }
 
-TEST(lamps_above_spots, are_lamps_low_above_every_shape) {
+TEST(lights_above_spots, are_lights_low_above_every_shape) {
   for (const double unit : {1.0, 1e9, 1e-9})
     for (auto& [name, floor] : floors(Transform::scale(Vec3d(unit)) * turn)) {
       if (unit != 1 && (name == "huge rectangle" || name == "plane")) continue;  // whose own scale is another
       add_point(floor, foot + Vec3d{0, 0, 0.01}, Transform::scale(Vec3d(unit)) * turn);
-      const std::vector<NearLamp> lamps = above_spots(floor, 0.02 * unit);
-      ASSERT_EQ(lamps.size(), 1u) << name;
-      EXPECT_NEAR(lamps[0].height, 0.01 * unit, 1e-5 * unit) << name;
+      const std::vector<NearLight> area_lights = above_spots(floor, 0.02 * unit);
+      ASSERT_EQ(area_lights.size(), 1u) << name;
+      EXPECT_NEAR(area_lights[0].height, 0.01 * unit, 1e-5 * unit) << name;
       EXPECT_TRUE(above_spots(floor, 0.009 * unit).empty()) << name;
     }
 }
 
-TEST(lamps_above_spots, are_those_that_shine_on_what_scatters) {
+TEST(lights_above_spots, are_those_that_shine_on_what_scatters) {
   // A spot of a half-angle of 40 degrees, low above the floor or in it, by its axis; on a mirror never.
   for (const double height : {0.01, 0.0})
     for (const auto& [facing, shines] :
          {std::pair{Vec3d{0, 0, 1}, false}, {Vec3d{1, 0, 0}, false}, {Vec3d{1, 0, -2}, true}, {Vec3d{0, 0, -1}, true}})
       for (const bool is_mirror : {false, true}) {
         const Vec3d at = foot + Vec3d{0, 0, height};
-        SceneDescription d = is_mirror ? stage_on(RectangleDescription{}, as_floor, {}, ConductorDescription{})
-                                       : stage_on(RectangleDescription{}, as_floor, {});
+        SceneDescription d = is_mirror ? test_scene_on(RectangleDescription{}, as_floor, {}, ConductorDescription{})
+                                       : test_scene_on(RectangleDescription{}, as_floor, {});
         SpotLightDescription light;
         light.to_world = Transform::look_at(at, at + facing, {0, 1, 0});
         light.beam_degrees = 20;
@@ -270,33 +272,33 @@ TEST(lamps_above_spots, are_those_that_shine_on_what_scatters) {
         EXPECT_EQ(!above_spots(d, 0.02).empty(), shines && !is_mirror && height > 0) << facing.z << " " << height;
       }
   // A point that lies in the floor lights it from both sides, as far as it does.
-  SceneDescription inside = stage_on(RectangleDescription{}, as_floor, {});
+  SceneDescription inside = test_scene_on(RectangleDescription{}, as_floor, {});
   add_point(inside, foot, {});
   ASSERT_EQ(above_spots(inside, 0).size(), 1u);
   EXPECT_EQ(above_spots(inside, 0)[0].height, 0);
 }
 
-TEST(lamps_above_spots, are_on_either_side_of_a_wall_across_any_axis) {
+TEST(lights_above_spots, are_on_either_side_of_a_wall_across_any_axis) {
   for (const Vec3d& axis : {Vec3d{1, 0, 0}, Vec3d{0, 1, 0}, Vec3d{0, 0, 1}})
     for (const double side : {-0.01, 0.01}) {
       const Transform wall = Transform::look_at({0, 0, 0}, axis, {0.3, 0.5, 0.8});
-      SceneDescription d = stage_on(RectangleDescription{}, wall * as_floor, {});
+      SceneDescription d = test_scene_on(RectangleDescription{}, wall * as_floor, {});
       d.emitters.push_back({{}, "", PointLightDescription{axis * side, RgbD(1)}});
       ASSERT_EQ(above_spots(d, 0.02).size(), 1u) << axis.x << " " << axis.y << " " << side;
       EXPECT_NEAR(above_spots(d, 0.02)[0].height, 0.01, 1e-6);
     }
 }
 
-TEST(lamps_above_spots, are_none_for_being_near_to_themselves) {
-  SceneDescription d = stage_on(RectangleDescription{}, as_floor, turn);
+TEST(lights_above_spots, are_none_for_being_near_to_themselves) {
+  SceneDescription d = test_scene_on(RectangleDescription{}, as_floor, turn);
   test::add_shape(d, SphereDescription{},
                   turn * Transform::translate(foot + Vec3d{0, 0, 1}) * Transform::scale(Vec3d(0.01)), {0})
       .radiance = RgbD(1);
   EXPECT_TRUE(above_spots(d, 0.05).empty());
 }
 
-TEST(lamps_above_spots, are_no_higher_than_they_are_large) {
-  SceneDescription d = stage_on(RectangleDescription{}, as_floor, turn);
+TEST(lights_above_spots, are_no_higher_than_they_are_large) {
+  SceneDescription d = test_scene_on(RectangleDescription{}, as_floor, turn);
   test::add_shape(d, SphereDescription{},
                   turn * Transform::translate(foot + Vec3d{0, 0, 0.01}) * Transform::scale(Vec3d(0.01)), {0})
       .radiance = RgbD(1);
@@ -305,38 +307,39 @@ TEST(lamps_above_spots, are_no_higher_than_they_are_large) {
   EXPECT_TRUE(above_spots(d, 0.012).empty());
 }
 
-TEST(lamps_on_surfaces, are_flat_ones_nearer_than_rays_tell) {
+TEST(lights_on_surfaces, are_flat_ones_nearer_than_rays_tell) {
   for (auto& [name, floor] : floors(Transform()))
-    for (const auto& [lamp, is_flat] : {std::pair<GeometryOfShape, bool>{RectangleDescription{}, true},
-                                        {DiskDescription{}, true},
-                                        {CubeDescription{}, false}})
+    for (const auto& [area_light, is_flat] : {std::pair<GeometryOfShape, bool>{RectangleDescription{}, true},
+                                              {DiskDescription{}, true},
+                                              {CubeDescription{}, false}})
       for (const double height : {0.0, 1e-9, 1e-7, 1e-3, 0.5}) {
         if (!is_flat && height < 0.5) continue;  // its faces are flat, but it is closed
         SceneDescription d = floor;
-        test::add_shape(d, lamp, Transform::translate(foot + Vec3d{0, 0, height}) * Transform::scale(Vec3d(0.1)), {0})
+        test::add_shape(d, area_light, Transform::translate(foot + Vec3d{0, 0, height}) * Transform::scale(Vec3d(0.1)),
+                        {0})
             .radiance = RgbD(1);
-        const std::vector<NearLamp> lamps = lamps_on_surfaces(SceneParts(d, 4, 4));
-        ASSERT_EQ(lamps.size(), height < 1e-6 ? 1u : 0u) << name << " " << height;
-        if (lamps.empty()) continue;
-        EXPECT_NEAR(lamps[0].height, height, 1e-6) << name;
-        EXPECT_GT(lamps[0].resolved, 4e-7) << name;
-        EXPECT_LT(lamps[0].resolved, 2e-4) << name;
+        const std::vector<NearLight> area_lights = lights_on_surfaces(SceneParts(d, 4, 4));
+        ASSERT_EQ(area_lights.size(), height < 1e-6 ? 1u : 0u) << name << " " << height;
+        if (area_lights.empty()) continue;
+        EXPECT_NEAR(area_lights[0].height, height, 1e-6) << name;
+        EXPECT_GT(area_lights[0].resolved, 4e-7) << name;
+        EXPECT_LT(area_lights[0].resolved, 2e-4) << name;
       }
 }
 
-TEST(lamps_on_surfaces, are_none_that_a_surface_goes_through) {
-  SceneDescription d = stage_on(RectangleDescription{}, as_floor, {});
+TEST(lights_on_surfaces, are_none_that_a_surface_goes_through) {
+  SceneDescription d = test_scene_on(RectangleDescription{}, as_floor, {});
   test::add_shape(d, RectangleDescription{},
                   Transform::translate(foot) * Transform::rotate({1, 0, 0}, 90) * Transform::scale(Vec3d(0.1)), {0})
       .radiance = RgbD(1);
-  EXPECT_TRUE(lamps_on_surfaces(SceneParts(d, 4, 4)).empty());
+  EXPECT_TRUE(lights_on_surfaces(SceneParts(d, 4, 4)).empty());
 }
 
-TEST(lamps_on_surfaces, are_none_where_there_is_no_surface) {
-  SceneDescription d = stage_on(RectangleDescription{}, as_floor, {}, NullDescription{});
+TEST(lights_on_surfaces, are_none_where_there_is_no_surface) {
+  SceneDescription d = test_scene_on(RectangleDescription{}, as_floor, {}, NullDescription{});
   test::add_shape(d, RectangleDescription{}, Transform::translate(foot) * Transform::scale(Vec3d(0.1)), {0}).radiance =
       RgbD(1);
-  EXPECT_TRUE(lamps_on_surfaces(SceneParts(d, 4, 4)).empty());
+  EXPECT_TRUE(lights_on_surfaces(SceneParts(d, 4, 4)).empty());
 }
 
 }  // namespace

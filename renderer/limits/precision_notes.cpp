@@ -10,7 +10,7 @@
 
 #include "renderer/limits/close_faces.h"
 #include "renderer/limits/grazing_lights.h"
-#include "renderer/limits/near_lamps.h"
+#include "renderer/limits/near_lights.h"
 #include "renderer/scene/scene_focus.h"
 #include "renderer/shapes/cylinder.h"
 #include "renderer/shapes/extent.h"
@@ -145,8 +145,8 @@ void add_medium_notes(const SceneDescription& description, const SceneParts& sce
     add_notes_of_medium(description.media[medium], scale, filled.reach, filled.radius, notes);
 }
 
-/// What steps of coordinates may be of what is seen, and those of a lamp, which is far away where it is large.
-constexpr double part_of_what_is_seen = 1e-4, part_of_a_lamp = 0.01;
+/// What steps of coordinates may be of what is seen, and those of a light, which is far away where it is large.
+constexpr double part_of_what_is_seen = 1e-4, part_of_a_light = 0.01;
 /// And what edges may be off by.
 constexpr double part_of_a_view = 1e-3;
 
@@ -162,8 +162,8 @@ void add_place_notes(const SceneDescription& description, const SceneFocus& focu
     if ((ball == nullptr && pillar == nullptr) || !shape.radiance) continue;
     const Extent extent = ball != nullptr ? extent_of(*ball, shape.to_world) : extent_of(*pillar, shape.to_world);
     const double reach = std::max(largest_coordinate(extent.low), largest_coordinate(extent.high));
-    if (reach * double_step > part_of_a_lamp * focus.size)
-      notes.add(shape.loc, "the lamp reaches to " + short_number(reach) +
+    if (reach * double_step > part_of_a_light * focus.size)
+      notes.add(shape.loc, "the light reaches to " + short_number(reach) +
                                ", where coordinates in double precision are " + short_number(reach * double_step) +
                                " apart: a constant emitter or a disk shines more exactly");
   }
@@ -196,38 +196,38 @@ void add_close_face_notes(const SceneDescription& description, const SceneParts&
                   short_number(close.resolved) + " apart there light may take for one");
 }
 
-/// One for each lamp, or where they are many for the first ones and their number.
-template <class LampFound, class Text>
-void add_notes_of_lamps(const SceneDescription& description, const std::vector<LampFound>& lamps, Notes& notes,
-                        const Text& text) {
+/// One for each light, or where they are many for the first ones and their number.
+template <class LightFound, class Text>
+void add_notes_of_lights(const SceneDescription& description, const std::vector<LightFound>& lights, Notes& notes,
+                         const Text& text) {
   constexpr std::size_t most = 16;
-  if (lamps.empty()) return;
+  if (lights.empty()) return;
   const std::vector<SourceLoc> places = places_of_lights(description);
-  for (std::size_t i = 0; i < lamps.size() && i < most; ++i)
-    notes.add(places[lamps[i].light],
-              text(lamps[i]) +
-                  (i + 1 == most && lamps.size() > most
-                       ? "; it is alike with " + std::to_string(lamps.size() - most) + " more lamps after this one"
+  for (std::size_t i = 0; i < lights.size() && i < most; ++i)
+    notes.add(places[lights[i].light],
+              text(lights[i]) +
+                  (i + 1 == most && lights.size() > most
+                       ? "; it is alike with " + std::to_string(lights.size() - most) + " more lights after this one"
                        : ""));
 }
 
 void add_grazing_notes(const SceneDescription& description, const SceneParts& scene, Notes& notes) {
-  add_notes_of_lamps(description, grazing_lights(scene), notes, [](const GrazingLight& light) {
+  add_notes_of_lights(description, grazing_lights(scene), notes, [](const GrazingLight& light) {
     const std::string height = short_number(light.height);
     return (light.from_one_side ? "the light's angle to a face has the sine " + height
-                                : "the lamp is " + height + " above a surface") +
+                                : "the light is " + height + " above a surface") +
            ", which single precision knows to " + short_number(light.rounding) + ": light that grazes it there " +
            (light.loss() < 1 ? "may be off by " + short_number(100 * light.loss()) + " %" : "is not known");
   });
 }
 
-void add_hidden_lamp_notes(const SceneDescription& description, const SceneParts& scene, Notes& notes) {
-  add_notes_of_lamps(description, lamps_above_spots(scene, 0), notes, [](const NearLamp&) -> std::string {
-    return "the lamp lies in a surface: integrators differ in whether it lights it";
+void add_hidden_light_notes(const SceneDescription& description, const SceneParts& scene, Notes& notes) {
+  add_notes_of_lights(description, lights_above_spots(scene, 0), notes, [](const NearLight&) -> std::string {
+    return "the light lies in a surface: integrators differ in whether it lights it";
   });
-  add_notes_of_lamps(description, lamps_on_surfaces(scene), notes, [](const NearLamp& lamp) {
-    return "the lamp is " + short_number(lamp.height) + " from a surface, and what is less than " +
-           short_number(lamp.resolved) + " apart there rays take for one: either may hide the other";
+  add_notes_of_lights(description, lights_on_surfaces(scene), notes, [](const NearLight& area_light) {
+    return "the light is " + short_number(area_light.height) + " from a surface, and what is less than " +
+           short_number(area_light.resolved) + " apart there rays take for one: either may hide the other";
   });
 }
 
@@ -246,7 +246,7 @@ void add_precision_notes(const SceneDescription& description, const SceneParts& 
   }
   add_close_face_notes(description, scene, notes);
   add_grazing_notes(description, scene, notes);
-  add_hidden_lamp_notes(description, scene, notes);
+  add_hidden_light_notes(description, scene, notes);
 }
 
 std::vector<SceneNote> notes_on_missed_spots(const SceneDescription& description, const SceneParts& scene,
@@ -258,10 +258,12 @@ std::vector<SceneNote> notes_on_missed_spots(const SceneDescription& description
   // over an area of 8 pi h^2.
   const double area = focus->size * focus->size, spot = 8 * std::numbers::pi;
   const double highest = std::sqrt(least_paths_a_spot * area / (spot * camera_paths));
-  const std::vector<NearLamp> low = lamps_above_spots(scene, std::min(highest, 0.1 * focus->size));
-  add_notes_of_lamps(description, low, notes, [&](const NearLamp& lamp) {
-    return "the lamp is " + short_number(lamp.height) + " above a surface, which it lights most in a spot that " +
-           short_number(camera_paths * spot * lamp.height * lamp.height / area) + " of " + short_number(camera_paths) +
+  const std::vector<NearLight> low = lights_above_spots(scene, std::min(highest, 0.1 * focus->size));
+  add_notes_of_lights(description, low, notes, [&](const NearLight& area_light) {
+    return "the light is " + short_number(area_light.height) +
+           " above a surface, which it lights most in a spot that " +
+           short_number(camera_paths * spot * area_light.height * area_light.height / area) + " of " +
+           short_number(camera_paths) +
            " camera paths meet: the variance may not know what they miss, and integrators that trace light paths, too, "
            "find it";
   });

@@ -7,11 +7,11 @@
 
 namespace photonproof::inline renderer_limits {
 
-/// Cameras and media first, then places, faces and lamps.
+/// Cameras and media first, then places, faces and lights.
 void add_precision_notes(const SceneDescription& description, const SceneParts& scene, Notes& notes);
 
-/// Of small lamps just above a surface, whose brightest spot so many camera paths may miss: for integrators that find
-/// lamps from the camera's paths alone.
+/// Of small lights just above a surface, whose brightest spot so many camera paths may miss: for integrators that find
+/// lights from the camera's paths alone.
 std::vector<SceneNote> notes_on_missed_spots(const SceneDescription& description, const SceneParts& scene,
                                              double camera_paths);
 

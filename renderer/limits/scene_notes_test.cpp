@@ -38,13 +38,14 @@ TEST(scene_notes, ordinary_scenes_have_none) {
   EXPECT_EQ(notes_of_scene("<bsdf type=\"phong\" id=\"b\"><float name=\"exponent\" value=\"1e7\"/></bsdf>"), "");
 }
 
-/// A square, lit by a ball lamp of this radius above it, all of it moved, seen across 4 from `away`.
-SceneDescription far_or_large(double lamp, double moved, double away) {
+/// A square, lit by a ball light of this radius above it, all of it moved, seen across 4 from `away`.
+SceneDescription far_or_large(double area_light, double moved, double away) {
   SceneDescription d;
   test::add_shape(d, RectangleDescription{}, Transform::translate({moved, 0, 0}) * Transform::scale(Vec3d(8)),
                   test::add_bsdf(d, DiffuseDescription{}));
-  ShapeDescription& ball = test::add_shape(
-      d, SphereDescription{}, Transform::translate({moved, 0, 5 + lamp}) * Transform::scale(Vec3d(lamp)), {0});
+  ShapeDescription& ball =
+      test::add_shape(d, SphereDescription{},
+                      Transform::translate({moved, 0, 5 + area_light}) * Transform::scale(Vec3d(area_light)), {0});
   ball.radiance = RgbD(1);
   test::set_camera(d, Transform::look_at({moved, 0, away}, {moved, 0, 0}, {0, 1, 0}),
                    2 * std::atan(2 / away) * 180 / std::numbers::pi, 64);
@@ -54,7 +55,7 @@ SceneDescription far_or_large(double lamp, double moved, double away) {
   return d;
 }
 
-// What double and single precision lose: coordinates far out, directions of pixels, points of a lamp.
+// What double and single precision lose: coordinates far out, directions of pixels, points of a light.
 TEST(scene_notes, say_what_is_too_far_or_too_large_for_precision) {
   using testing::HasSubstr;
   EXPECT_EQ(notes_of(far_or_large(1, 0, 4)), "");
@@ -64,7 +65,7 @@ TEST(scene_notes, say_what_is_too_far_or_too_large_for_precision) {
   EXPECT_EQ(notes_of(far_or_large(1e13, 0, 4)), "");
   SceneDescription pipe = far_or_large(1, 0, 4);
   pipe.shapes.back().geometry = CylinderDescription{{-1e16, 0, 6}, {1e16, 0, 6}, 1};
-  EXPECT_THAT(notes_of(pipe), HasSubstr("the lamp reaches to 1e+16, where coordinates in double precision are 2.2"));
+  EXPECT_THAT(notes_of(pipe), HasSubstr("the light reaches to 1e+16, where coordinates in double precision are 2.2"));
   EXPECT_THAT(notes_of(far_or_large(1, 0, 1e6)), HasSubstr("a pixel is "));
 }
 
@@ -80,9 +81,9 @@ TEST(scene_notes, say_what_grazes_more_exactly_than_precision) {
   EXPECT_THAT(
       notes_of(d),
       testing::MatchesRegex(
-          "s.xml:4:1: the lamp is (1e-05|9.9e-06) above a surface, which single precision knows to [0-9.]+e-0[78]: "
+          "s.xml:4:1: the light is (1e-05|9.9e-06) above a surface, which single precision knows to [0-9.]+e-0[78]: "
           "light that grazes it there may be off by [0-9.]+ %\n"
-          "s.xml:5:1: the lamp is [0-9.]+e-(08|09) above a surface, which single precision knows to [0-9.]+e-0[78]: "
+          "s.xml:5:1: the light is [0-9.]+e-(08|09) above a surface, which single precision knows to [0-9.]+e-0[78]: "
           "light that grazes it there is not known\n"
           "s.xml:6:1: the light's angle to a face has the sine 1e-05, which single precision knows to [0-9.]+e-08: "
           "light that grazes it there may be off by [0-9.]+ %\n"));
@@ -147,15 +148,15 @@ TEST(scene_notes, say_spots_that_few_camera_paths_meet) {
   };
   EXPECT_EQ(notes(1e-3, 1e9), "");
   EXPECT_EQ(notes(0.5, 1e3), "");
-  // Of many lamps the first are named, and how many more there are.
+  // Of many lights the first are named, and how many more there are.
   SceneDescription many = test::room(4, false);
   for (int i = 0; i < 40; ++i)
     many.emitters.push_back({{0, 1, 1}, "", PointLightDescription{{0.02 * i - 0.4, 1 - 1e-3, 0}, RgbD(1)}});
   const std::vector<SceneNote> of_many = notes_on_missed_spots(many, SceneParts(many, 4, 4), 1e6);
   ASSERT_EQ(of_many.size(), 16u);
-  EXPECT_THAT(of_many.back().text, testing::HasSubstr("; it is alike with 24 more lamps after this one"));
+  EXPECT_THAT(of_many.back().text, testing::HasSubstr("; it is alike with 24 more lights after this one"));
   EXPECT_THAT(notes(1e-3, 1e6),
-              testing::MatchesRegex("s.xml:2:1: the lamp is 0.001 above a surface, which it lights "
+              testing::MatchesRegex("s.xml:2:1: the light is 0.001 above a surface, which it lights "
                                     "most in a spot that [0-9.]+ of 1e[+]06 camera paths meet: .*\n"));
 }
 
@@ -269,7 +270,7 @@ std::shared_ptr<TriangleMesh> mesh_of(const std::vector<Vec3f>& positions) {
   return mesh;
 }
 
-SceneDescription lamp_of(const std::shared_ptr<TriangleMesh>& mesh, const RgbD& radiance) {
+SceneDescription light_of(const std::shared_ptr<TriangleMesh>& mesh, const RgbD& radiance) {
   SceneDescription d = test::room(4, false);
   d.files = {"s.xml"};
   test::add_shape(d, MeshDescription{MeshDescription::Format::ply, "lamp.ply", true, false, mesh}, {}, {0}).radiance =
@@ -278,17 +279,17 @@ SceneDescription lamp_of(const std::shared_ptr<TriangleMesh>& mesh, const RgbD& 
   return d;
 }
 
-TEST(scene_notes, say_triangles_that_cannot_be_seen_and_lamps_of_nothing_else) {
+TEST(scene_notes, say_triangles_that_cannot_be_seen_and_lights_of_nothing_else) {
   const Vec3f a(0.0f), b(0, 0, 1), c(1, 0, 0);
-  EXPECT_EQ(notes_of(lamp_of(mesh_of({a, b, c}), RgbD(1))), "");
-  EXPECT_EQ(notes_of(lamp_of(mesh_of({a, b, c, a, a, b}), RgbD(1))),
-            "s.xml:7:3: 1 of the 2 triangles of 'lamp.ply' has no area and cannot be seen\n");
-  EXPECT_EQ(notes_of(lamp_of(mesh_of({a, a, c, a, a, b}), RgbD(1))),
-            "s.xml:7:3: 2 of the 2 triangles of 'lamp.ply' have no area and cannot be seen\n"
-            "s.xml:7:3: the shape emits nothing: no triangle of 'lamp.ply' has an area\n");
-  EXPECT_EQ(notes_of(lamp_of(mesh_of({a, b, c}), RgbD(1e-60))),
+  EXPECT_EQ(notes_of(light_of(mesh_of({a, b, c}), RgbD(1))), "");
+  EXPECT_EQ(notes_of(light_of(mesh_of({a, b, c, a, a, b}), RgbD(1))),
+            "s.xml:7:3: 1 of the 2 triangles of 'light.ply' has no area and cannot be seen\n");
+  EXPECT_EQ(notes_of(light_of(mesh_of({a, a, c, a, a, b}), RgbD(1))),
+            "s.xml:7:3: 2 of the 2 triangles of 'light.ply' have no area and cannot be seen\n"
+            "s.xml:7:3: the shape emits nothing: no triangle of 'light.ply' has an area\n");
+  EXPECT_EQ(notes_of(light_of(mesh_of({a, b, c}), RgbD(1e-60))),
             "s.xml:7:3: the shape emits nothing: its light is less than single precision can hold\n");
-  EXPECT_EQ(notes_of(lamp_of(mesh_of({a, b, c}), RgbD(0))), "");
+  EXPECT_EQ(notes_of(light_of(mesh_of({a, b, c}), RgbD(0))), "");
 }
 
 TEST(scene_notes, say_lights_whose_files_are_dark) {

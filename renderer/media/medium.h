@@ -24,7 +24,7 @@ struct Medium {
   }
 };
 
-/// How far a history goes before it scatters, if it does before `distance`.
+/// How far a path goes before it scatters, if it does before `distance`.
 struct FreeFlight {
   std::optional<float> scattered;  ///< where
   Rgb weight;                      ///< transmittance, and albedo x extinction where it scattered, over the density

@@ -27,7 +27,7 @@ struct Adapted {
 Adapted adapted(const SceneDescription& scene, RenderJob job) {
   Adapted out;
   out.image = test::render(scene, "photonmapper", job).image.mean;
-  job.view = View::samples;
+  job.view = Aov::samples;
   out.samples = test::render(scene, "photonmapper", job).image.mean;
   return out;
 }
@@ -60,32 +60,32 @@ double covered(int i, double low, double high) {
   return std::max(0.0, std::min(i + 1.0, high) - std::max(double(i), low));
 }
 
-/// A lamp of radiance 1, from -half to half in x and y, before nothing; parallel rays of size x size pixels see [-1,
+/// A light of radiance 1, from -half to half in x and y, before nothing; parallel rays of size x size pixels see [-1,
 /// 1].
-SceneDescription lamp_alone(double half, int size) {
+SceneDescription light_alone(double half, int size) {
   SceneDescription scene;
-  ShapeDescription& lamp = add_shape(scene, RectangleDescription{}, Transform::scale(Vec3d(half)),
-                                     add_bsdf(scene, DiffuseDescription{RgbD(0)}));
-  lamp.radiance = RgbD(1);
+  ShapeDescription& light = add_shape(scene, RectangleDescription{}, Transform::scale(Vec3d(half)),
+                                      add_bsdf(scene, DiffuseDescription{RgbD(0)}));
+  light.radiance = RgbD(1);
   scene.sensor.camera = OrthographicDescription{};
   scene.sensor.to_world = Transform::look_at({0, 0, 2}, {0, 0, 0}, {0, 1, 0});
   scene.sensor.film.width = scene.sensor.film.height = size;
   return scene;
 }
 
-// A pixel's mean is the part of it that the lamp covers, which is a product of lengths. Passes disagree at its rim
+// A pixel's mean is the part of it that the light covers, which is a product of lengths. Passes disagree at its rim
 // alone. Of 64 samples and more a pixel the mean over the rim is known to .1 %.
-TEST(adaptive_weights, pixels_with_more_samples_show_the_part_of_them_that_a_lamp_covers) {
+TEST(adaptive_weights, pixels_with_more_samples_show_the_part_of_them_that_a_light_covers) {
   constexpr int size = 16;
   constexpr double half = 0.53;
   const double low = (1 - half) * size / 2, high = (1 + half) * size / 2;
-  const Adapted out = adapted(lamp_alone(half, size), test::job_with(64, 1000));
+  const Adapted out = adapted(light_alone(half, size), test::job_with(64, 1000));
   const Part rim = of_pixels(out.image, out.samples, 1.5,
                              [&](int x, int y) { return covered(x, low, high) * covered(y, low, high); });
-  std::printf("rim of a lamp: %d pixels, %.5f of what they cover\n", rim.pixels, rim.ratio());
+  std::printf("rim of a light: %d pixels, %.5f of what they cover\n", rim.pixels, rim.ratio());
   EXPECT_GE(rim.pixels, 30);
   EXPECT_NEAR(rim.ratio(), 1, 0.005);
-  // Pixels beside the rim, which lie in the lamp, see it with every sample.
+  // Pixels beside the rim, which lie in the light, see it with every sample.
   for (int y = 0; y < size; ++y)
     for (int x = 0; x < size; ++x)
       if (covered(x, low, high) * covered(y, low, high) >= 1) {
@@ -93,13 +93,13 @@ TEST(adaptive_weights, pixels_with_more_samples_show_the_part_of_them_that_a_lam
       }
 }
 
-// A pass must weigh by its own length: those after a pass that met the lamp take more samples, and would count more by
-// their number. Of pixels that a lamp covers to 4 %, 4 % is the mean over renders, known to 2 % here; were passes to
+// A pass must weigh by its own length: those after a pass that met the light take more samples, and would count more by
+// their number. Of pixels that a light covers to 4 %, 4 % is the mean over renders, known to 2 % here; were passes to
 // weigh by their samples, it would be 3.5 % (measured by that fault).
 TEST(adaptive_weights, passes_that_follow_a_lucky_one_count_no_more) {
   constexpr int size = 8, renders = 4000;
   constexpr double half = 0.5 + 0.04 * 2 / size;
-  const SceneDescription scene = lamp_alone(half, size);
+  const SceneDescription scene = light_alone(half, size);
   double sum = 0, squares = 0;
   for (int render = 1; render <= renders; ++render) {
     RenderJob job = test::job_with(8, 1000, static_cast<std::uint64_t>(render));
@@ -134,7 +134,7 @@ SceneDescription box_with_a_quiet_wall(int size) {
   return scene;
 }
 
-// Light of the lamps, of photons, of a final gather, of paths and of a cache alike: all walls are as bright.
+// Light of the lights, of photons, of a final gather, of paths and of a cache alike: all walls are as bright.
 TEST(adaptive_weights, pixels_with_more_samples_are_as_bright_as_a_furnace_by_every_way_of_indirect_light) {
   for (const auto& way : indirect_words) {
     if (way.value == IndirectLight::automatic) continue;
@@ -147,8 +147,8 @@ TEST(adaptive_weights, pixels_with_more_samples_are_as_bright_as_a_furnace_by_ev
   }
 }
 
-/// A lamp that shines on a mirror alone, which lights a rough metal behind the lamp; the metal is an eighth of what is
-/// seen, and the rest is black.
+/// A light that shines on a mirror alone, which lights a rough metal behind the light; the metal is an eighth of what
+/// is seen, and the rest is black.
 SceneDescription rough_metal_by_a_mirror(int size) {
   SceneDescription scene;
   RoughConductorDescription metal;
@@ -168,7 +168,7 @@ SceneDescription rough_metal_by_a_mirror(int size) {
 }
 
 // All of its light is photons', looked up by their directions: the path tracer finds it by reflections that go to the
-// lamp by the mirror.
+// light by the mirror.
 TEST(adaptive_weights, rough_pixels_with_more_samples_are_as_bright_as_by_paths) {
   constexpr int size = 16;
   const SceneDescription scene = rough_metal_by_a_mirror(size);

@@ -13,7 +13,7 @@
 #include "renderer/core/skips.h"
 #include "renderer/kernels/isa.h"
 #include "renderer/lanes/sampler.h"
-#include "renderer/passes/view.h"
+#include "renderer/passes/aov.h"
 
 namespace photonproof::inline renderer_passes {
 
@@ -33,7 +33,7 @@ struct RenderJob {
   int sample_count = 4;  ///< of the scene file
   std::string integrator_place = "the scene";  ///< where it asks for the integrator, for messages
   SamplerKind sampler = SamplerKind::sobol;
-  View view = View::whole;
+  Aov view = Aov::whole;
   SkipSwitches skips;  ///< the ones the scene was compiled with
   std::string isa;     ///< instruction set of the kernels; empty: the best there is
   const std::atomic<bool>* interrupt = nullptr;

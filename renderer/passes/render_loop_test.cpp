@@ -96,21 +96,21 @@ TEST_F(Resume, gives_the_bits_and_the_counts_of_a_render_never_stopped) {
 
 TEST_F(Resume, of_a_view_gives_the_bits_of_a_render_never_stopped) {
   const SceneDescription scene = test::room(48, true);
-  for (const View view : {View::caustics, View::photons, View::radius, View::samples}) {
+  for (const Aov view : {Aov::caustics, Aov::photons, Aov::radius, Aov::samples}) {
     RenderJob job = test::job_with(24, 300'000);
     job.view = view;
     const test::Rendered whole = test::render(scene, "photonmapper", job);
     const Outcome last = in_parts(scene, "photonmapper", job, 2);
-    EXPECT_EQ(last.image.mean.rgb, whole.image.mean.rgb) << view_row(view).name;
-    EXPECT_EQ(last.image.variance->rgb, whole.image.variance->rgb) << view_row(view).name;
+    EXPECT_EQ(last.image.mean.rgb, whole.image.mean.rgb) << aov_row(view).name;
+    EXPECT_EQ(last.image.variance->rgb, whole.image.variance->rgb) << aov_row(view).name;
     for (const auto& [name, count] : whole.stats.counts)
-      EXPECT_EQ(last.stats.counts.at(name), count) << view_row(view).name << " " << name;
+      EXPECT_EQ(last.stats.counts.at(name), count) << aov_row(view).name << " " << name;
   }
 }
 
 TEST_F(Resume, of_the_photon_mapper_goes_on_inside_a_pass) {
   const SceneDescription scene = test::room(32, true);
-  for (const View view : {View::whole, View::photons}) {
+  for (const Aov view : {Aov::whole, Aov::photons}) {
     RenderJob job = test::job_with(3, 24'000);
     job.view = view;
     job.threads = 1;

@@ -11,7 +11,7 @@
 
 namespace photonproof::inline renderer_passes {
 
-inline constexpr Stream camera_stream{1}, extra_sample_stream{9}, shared_look_up_stream{10};
+inline constexpr Stream camera_stream{1}, extra_sample_stream{9}, shared_gather_stream{10};
 
 /// Samples [first, first + samples) of a tile's pixels.
 CameraTask camera_task(const RenderJob& job, const Tile& tile, std::int64_t first, std::int64_t samples);

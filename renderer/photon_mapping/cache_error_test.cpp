@@ -65,7 +65,7 @@ void expect_honest_claim(const char* name, const SceneDescription& scene) {
   EXPECT_LT(std::sqrt(claimed), std::sqrt(is) * 1.5);
 }
 
-/// Under the lamp hangs a plate twice as wide, black above: what it shades is lit by the walls alone.
+/// Under the light hangs a plate twice as wide, black above: what it shades is lit by the walls alone.
 SceneDescription room_behind_plate(int size) {
   SceneDescription scene = test::room(size, false);
   test::add_shape(scene, RectangleDescription{},

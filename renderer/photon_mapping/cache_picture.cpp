@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstddef>
 
-#include "renderer/photons/photon_sheet.h"
+#include "renderer/photons/surface_side.h"
 #include "renderer/sensor/camera.h"
 
 namespace photonproof::inline renderer_photon_mapping {
@@ -37,7 +37,7 @@ std::vector<Rgb> cache_picture(const IrradianceCache& cache, const CameraView& c
   std::vector<std::uint32_t> dotted(paths.count.size(), 0);
   for (std::size_t i = 0; i < paths.ends.size(); ++i) {
     const GatherPoint end = paths.ends[i];
-    const IrradianceRecord* record = cache.nearest(end.p, facing_sheet_normal(end.sheet));
+    const IrradianceRecord* record = cache.nearest(end.p, facing_side_normal(end.surface_side));
     if (record == nullptr) continue;
     const float pixel = pixel_footprint(camera, record->p);
     if (!(length(end.p - record->p) < dot_radius * pixel)) continue;

@@ -48,7 +48,7 @@ struct CachePoint {
 
 class CacheMaker {
  public:
-  CacheMaker(const RenderPlan& plan, const PhotonSource& source, const LookUpAreas& areas, PhotonMaps& maps)
+  CacheMaker(const RenderPlan& plan, const PhotonSource& source, const GatherAreas& areas, PhotonMaps& maps)
       : source_(source),
         areas_(areas),
         maps_(maps.wanted()),
@@ -82,7 +82,7 @@ class CacheMaker {
   float footprint(const Vec3f& p) const { return pixel_footprint(source_.scene.view().camera, p); }
 
   const PhotonSource& source_;
-  const LookUpAreas& areas_;
+  const GatherAreas& areas_;
   const std::vector<MapState*> maps_;
   const MapState& near_hit_;  ///< whose radius it is
   const HemisphereGrid grid_, check_grid_;
@@ -113,7 +113,7 @@ std::vector<CachePoint> CacheMaker::of_tile(const Tile& tile, std::uint32_t firs
   std::vector<CachePoint> points;
   for (std::size_t i = 0; i < queue.size(); ++i) {
     const GatherPoint at = queue[i];
-    points.push_back({at.p, facing_sheet_normal(at.sheet), first_number + at.path});
+    points.push_back({at.p, facing_side_normal(at.surface_side), first_number + at.path});
   }
   return points;
 }
@@ -156,7 +156,7 @@ void CacheMaker::add_photons(MapState& map, GatherQueue& queue, std::vector<floa
   const GatherPoints points = queue.view();
   std::fill_n(points.radius, points.count, map.radii.radius);
   const GatherKernelEntry& kernels = source_.job.kernels().gather;
-  look_up(map, source_.settings, areas_, kernels, queue);
+  radiance_estimate(map, source_.settings, areas_, kernels, queue);
   map.count_found(points);
   kernels.add(points, radiance.data());
 }
@@ -241,7 +241,7 @@ IrradianceCache CacheMaker::make(const std::vector<CachePoint>& points) {
 }
 
 /// Half of them evenly over the image, half as the cache is in doubt in them or beside them: some pixels have most of
-/// the error, at edges of lamps and in corners.
+/// the error, at edges of lights and in corners.
 std::vector<CacheError::Pixel> CacheMaker::checked_pixels(const IrradianceCache& cache, const Tile& window,
                                                           const std::vector<CachePoint>& points) const {
   const auto width = static_cast<std::size_t>(window.width()),
@@ -281,7 +281,7 @@ RgbD CacheMaker::difference(const IrradianceCache& cache, const CacheError::Pixe
   camera.seed = stream_seed(source_.job.seed, check_stream, 2 * number + 1);
   const GatherQueue ends = ends_of(camera);
   if (ends.size() == 0) return RgbD(0.0);
-  const Vec3f p = ends[0].p, n = facing_sheet_normal(ends[0].sheet);
+  const Vec3f p = ends[0].p, n = facing_side_normal(ends[0].surface_side);
   const HemisphereRays rays = gather(check_grid_, p, n, stream_seed(source_.job.seed, check_stream, 2 * number + 2));
   const Rgb gathered = make_record(p, n, check_grid_, rays, footprint(p)).irradiance;
   return RgbD(ends[0].weight * (cache.interpolate(p, n) - gathered));
@@ -298,7 +298,7 @@ std::vector<RgbD> CacheMaker::differences(const IrradianceCache& cache, const st
 
 /// Fills a map with the cache's own photons.
 void fill_for_cache(MapState& map, Stream stream, std::int64_t by_scene, const PhotonSource& source,
-                    const LookUpAreas& areas, RenderStats& stats) {
+                    const GatherAreas& areas, RenderStats& stats) {
   const std::int64_t asked = source.job.budget.photons.value_or(by_scene);
   const double count = asked > 0 ? static_cast<double>(asked) : photons_of_cache;
   map.stream = stream;
@@ -310,7 +310,7 @@ void fill_for_cache(MapState& map, Stream stream, std::int64_t by_scene, const P
 }
 
 /// Others than the cache has, looked up within half of its radius: what that changes is an error of the cache, too.
-void refill_to_check(MapState& map, Stream stream, int half, const PhotonSource& source, const LookUpAreas& areas,
+void refill_to_check(MapState& map, Stream stream, int half, const PhotonSource& source, const GatherAreas& areas,
                      RenderStats& stats) {
   if (!map.wanted) return;
   map.stream = stream;
@@ -320,7 +320,7 @@ void refill_to_check(MapState& map, Stream stream, int half, const PhotonSource&
 }
 
 CacheError check(const IrradianceCache& cache, CacheMaker& maker, PhotonMaps& maps, const PhotonSource& source,
-                 const LookUpAreas& areas, std::vector<CacheError::Pixel> pixels, RenderStats& stats) {
+                 const GatherAreas& areas, std::vector<CacheError::Pixel> pixels, RenderStats& stats) {
   std::array<std::vector<RgbD>, 2> found;
   for (int half = 0; half < 2; ++half) {
     refill_to_check(maps.global, check_global_stream, half, source, areas, stats);
@@ -334,7 +334,7 @@ CacheError check(const IrradianceCache& cache, CacheMaker& maker, PhotonMaps& ma
 
 }  // namespace
 
-CheckedCache make_irradiance_cache(const RenderPlan& plan, const PhotonSource& source, const LookUpAreas& areas,
+CheckedCache make_irradiance_cache(const RenderPlan& plan, const PhotonSource& source, const GatherAreas& areas,
                                    const Tile& window, RenderStats& stats) {
   PhotonMaps maps(plan, source);
   maps.choose_first_radii(source, stats);

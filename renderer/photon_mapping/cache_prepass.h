@@ -12,8 +12,8 @@
 
 #include "renderer/core/parallel.h"
 #include "renderer/photon_mapping/cache_error.h"
+#include "renderer/photon_mapping/gather_area.h"
 #include "renderer/photon_mapping/irradiance_cache.h"
-#include "renderer/photon_mapping/look_up_area.h"
 #include "renderer/photon_mapping/photon_maps.h"
 #include "renderer/planning/plan.h"
 
@@ -24,7 +24,7 @@ struct CheckedCache {
   CacheError error;
 };
 
-CheckedCache make_irradiance_cache(const RenderPlan& plan, const PhotonSource& source, const LookUpAreas& areas,
+CheckedCache make_irradiance_cache(const RenderPlan& plan, const PhotonSource& source, const GatherAreas& areas,
                                    const Tile& window, RenderStats& stats);
 
 }  // namespace photonproof::inline renderer_photon_mapping

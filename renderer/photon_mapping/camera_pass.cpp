@@ -6,7 +6,7 @@
 #include "renderer/passes/tile_film.h"
 #include "renderer/photon_mapping/cache_picture.h"
 #include "renderer/photon_mapping/photon_radius.h"
-#include "renderer/photon_mapping/shared_look_ups.h"
+#include "renderer/photon_mapping/shared_gathers.h"
 #include "renderer/sensor/camera.h"
 #include "scenes/base/faults.h"
 #include "scenes/base/timer.h"
@@ -14,7 +14,7 @@
 namespace photonproof::inline renderer_photon_mapping {
 namespace {
 
-/// Irradiance that a look-up found.
+/// Irradiance that a gather found.
 Rgb irradiance(const GatherPoints& points, std::size_t i) {
   if (!(points.area[i] > 0)) return Rgb(0.0f);
   return Rgb{points.flux_red[i], points.flux_green[i], points.flux_blue[i]} * (1 / points.area[i]);
@@ -40,7 +40,7 @@ float fault_divisor(const MapState& map) {
 }
 
 /// Where a view shows no direct light, paths that go on keep what they find further on.
-PathSettings settings_of_view(PathSettings settings, const ViewRow& view, bool goes_on) {
+PathSettings settings_of_view(PathSettings settings, const AovRow& view, bool goes_on) {
   settings.indirect_only = goes_on && !view.direct_light;
   return settings;
 }
@@ -68,26 +68,26 @@ struct CameraPass::TilePaths {
         samples(samples_a_pixel),
         count(static_cast<std::size_t>(of.width()) * static_cast<std::size_t>(of.height())),
         sum(count.size(), Rgb(0.0f)) {}
-  void make_room_on_rough(RoughLookUps& look_ups) {
-    look_ups.room = std::max<std::size_t>(1024, 2 * look_ups.points.count);
+  void make_room_on_rough(RoughGathers& gathers) {
+    gathers.room = std::max<std::size_t>(1024, 2 * gathers.points.count);
     const auto grow = [&](GatherQueue& points_of, GatherPoints& points) {
       points_of.set_size(points.count);
-      points_of.reserve(look_ups.room);
+      points_of.reserve(gathers.room);
       points = points_of.view();
     };
-    grow(rough, look_ups.points);
-    grow(rough_narrow, look_ups.narrow);
+    grow(rough, gathers.points);
+    grow(rough_narrow, gathers.narrow);
   }
   int x(std::size_t pixel) const { return tile.x0 + static_cast<int>(pixel) % tile.width(); }
   int y(std::size_t pixel) const { return tile.y0 + static_cast<int>(pixel) / tile.width(); }
 };
 
 CameraPass::CameraPass(const Scene& scene, const PhotonSettings& settings, const RenderPlan& plan, const RenderJob& job,
-                       std::vector<MapState*> maps_shown, const LookUpAreas* areas, LookUpBias& bias,
-                       PixelEffort& effort)
+                       std::vector<MapState*> maps_shown, const GatherAreas* areas, GatherBias& bias,
+                       AdaptiveSampleMap& effort)
     : scene_(scene),
       job_(job),
-      view_(view_row(plan.view)),
+      view_(aov_row(plan.view)),
       shares_(!settings.textbook),
       maps_(std::move(maps_shown)),
       caustic_(map_of(PhotonKind::caustic, maps_)),
@@ -125,13 +125,13 @@ void CameraPass::leave_points(PathTask& task, TilePaths& paths) const {
 }
 
 /// Of the last paths.
-void CameraPass::look_up_on_rough(RoughLookUps& rough, TilePaths& paths) const {
+void CameraPass::gather_on_rough(RoughGathers& rough, TilePaths& paths) const {
   if (caustic_ == nullptr || !view_.caustic_map || has_fault(Fault::missing_caustic)) return;
   rough.map = caustic_->map.view();
   rough.max_edges = most_edges(settings_);
   rough.tests = caustic_->tests.data();
   rough.radius = paths.radius_of_path.data();
-  rough.narrow_part = LookUpBias::narrow_part;
+  rough.narrow_part = GatherBias::narrow_part;
   rough.make_room = [](PathTask& task) { static_cast<TilePaths*>(task.rough.sink)->make_room_on_rough(task.rough); };
   rough.sink = &paths;
   rough.points = paths.rough.view();
@@ -158,7 +158,7 @@ void CameraPass::trace(const CameraTask& camera, TilePaths& paths, RenderLoop& l
     if (caustic_ != nullptr)
       for (std::size_t path = first; path < paths.pixel_of.size(); ++path)
         paths.radius_of_path.push_back(radius_at(*caustic_, paths.pixel_of[path], paths));
-    look_up_on_rough(task.rough, paths);
+    gather_on_rough(task.rough, paths);
   }
   scratch_.trace(task);
   const auto take = [&](const GatherPoints& points, std::size_t taken, GatherQueue& queue) {
@@ -178,12 +178,12 @@ void CameraPass::trace_extra(TilePaths& paths, RenderLoop& loop) {
   std::uint32_t most = 0;
   for (std::size_t pixel = 0; pixel < paths.count.size(); ++pixel)
     most = std::max(most, effort_.extra(paths.x(pixel), paths.y(pixel)));
-  for (std::uint32_t extra = 1; extra <= most; extra = 2 * extra + 1) {  // as PixelEffort chooses them
+  for (std::uint32_t extra = 1; extra <= most; extra = 2 * extra + 1) {  // as AdaptiveSampleMap chooses them
     alike.clear();
     for (std::size_t pixel = 0; pixel < paths.count.size(); ++pixel)
       if (effort_.extra(paths.x(pixel), paths.y(pixel)) == extra) alike.push_back(static_cast<std::uint32_t>(pixel));
     if (alike.empty()) continue;
-    CameraTask camera = camera_task(job_, paths.tile, loop.first() * PixelEffort::most, loop.samples() * extra);
+    CameraTask camera = camera_task(job_, paths.tile, loop.first() * AdaptiveSampleMap::most, loop.samples() * extra);
     camera.seed = stream_seed(job_.seed, extra_sample_stream);
     camera.some_pixels = alike.data();
     camera.some_count = static_cast<std::uint32_t>(alike.size());
@@ -213,14 +213,14 @@ void CameraPass::render(const Tile& tile, std::int64_t pass, RenderLoop& loop, F
 
 void CameraPass::add_numbers(TilePaths& paths, double seconds, Film& numbers) const {
   std::vector<Rgb> radii, dots;
-  if (view_.view == View::radius) radii = radii_in_pixels(paths);
-  if (view_.view == View::cache_records && cache_ != nullptr)
+  if (view_.view == Aov::radius) radii = radii_in_pixels(paths);
+  if (view_.view == Aov::cache_records && cache_ != nullptr)
     dots = cache_picture(*cache_, scene_.view().camera, {paths.queue, paths.pixel_of, paths.count, paths.sum});
   for (std::size_t pixel = 0; pixel < paths.count.size(); ++pixel) {
     RgbD number(1e6 * seconds / (static_cast<double>(paths.count.size()) * paths.samples));
-    if (view_.view == View::radius) number = RgbD(radii[pixel]) / static_cast<double>(paths.count[pixel]);
-    if (view_.view == View::cache_records) number = RgbD(dots[pixel]);
-    if (view_.view == View::samples) number = RgbD(static_cast<double>(paths.count[pixel]) / paths.samples);
+    if (view_.view == Aov::radius) number = RgbD(radii[pixel]) / static_cast<double>(paths.count[pixel]);
+    if (view_.view == Aov::cache_records) number = RgbD(dots[pixel]);
+    if (view_.view == Aov::samples) number = RgbD(static_cast<double>(paths.count[pixel]) / paths.samples);
     numbers.add(paths.x(pixel), paths.y(pixel), number, paths.samples);
   }
 }
@@ -240,7 +240,7 @@ std::vector<Rgb> CameraPass::radii_in_pixels(TilePaths& paths) const {
 }
 
 void CameraPass::add_photons(TilePaths& paths) {
-  const std::uint32_t key = stream_seed(job_.seed, shared_look_up_stream, static_cast<std::uint64_t>(paths.pass));
+  const std::uint32_t key = stream_seed(job_.seed, shared_gather_stream, static_cast<std::uint64_t>(paths.pass));
   float most_apart = std::numeric_limits<float>::max();
   for (const MapState* map : maps_) most_apart = std::min(most_apart, map->radii.radius);
   const auto add_shared = [&](MapState& map, const std::vector<PixelPoint>& points) {
@@ -250,7 +250,8 @@ void CameraPass::add_photons(TilePaths& paths) {
       points_of_pixels(goes_on_ ? paths.caustic_queue : paths.queue, paths.pixel_of, shares_ ? most_apart : 0.0f, key);
   if (cache_ != nullptr)
     for (const PixelPoint& at : points)
-      paths.sum[at.pixel] += at.point.weight * cache_->interpolate(at.point.p, facing_sheet_normal(at.point.sheet));
+      paths.sum[at.pixel] +=
+          at.point.weight * cache_->interpolate(at.point.p, facing_side_normal(at.point.surface_side));
   std::vector<PixelPoint> further;
   if (goes_on_) further = points_by_themselves(paths.queue, paths.pixel_of);
   for (MapState* map : maps_) {
@@ -280,16 +281,16 @@ void CameraPass::add_photons_on_rough(TilePaths& paths) {
 
 void CameraPass::add_photons_of(MapState& map, const std::vector<PixelPoint>& points, const BlockGrid& blocks,
                                 std::uint32_t key, TilePaths& paths) {
-  SharedLookUps shared(points, radii_of(map, points, paths), paths.tile, blocks, key);
-  look_up_in(map, shared.queue);
+  SharedGathers shared(points, radii_of(map, points, paths), paths.tile, blocks, key);
+  gather_in(map, shared.queue);
   const GatherPoints looked_up = shared.queue.view();
   for (std::size_t i = 0; i < points.size(); ++i)
-    paths.sum[points[i].pixel] += points[i].point.weight * irradiance(looked_up, shared.look_up_of[i]);
+    paths.sum[points[i].pixel] += points[i].point.weight * irradiance(looked_up, shared.gather_of[i]);
   map.count_found(looked_up);
   look_twice(map, points, shared, paths);
 }
 
-/// Radii of the points' look-ups.
+/// Radii of the points' gathers.
 std::vector<float> CameraPass::radii_of(const MapState& map, const std::vector<PixelPoint>& points,
                                         const TilePaths& paths) const {
   std::vector<float> radii;
@@ -303,31 +304,33 @@ float CameraPass::radius_at(const MapState& map, std::size_t pixel, const TilePa
   return map.radii.radius * bias_.narrowing(paths.x(pixel), paths.y(pixel), static_cast<int>(map.kind));
 }
 
-void CameraPass::look_up_in(const MapState& map, GatherQueue& queue) const {
-  look_up(map, settings_, *areas_, job_.kernels().gather, queue);
+void CameraPass::gather_in(const MapState& map, GatherQueue& queue) const {
+  radiance_estimate(map, settings_, *areas_, job_.kernels().gather, queue);
   const GatherPoints points = queue.view();
   for (std::size_t i = 0; i < points.count && fault_divisor(map) != 1; ++i) points.area[i] *= fault_divisor(map);
 }
 
 /// What the pixels of the bias's lattice lose by their radius.
-void CameraPass::look_twice(const MapState& map, const std::vector<PixelPoint>& points, SharedLookUps& shared,
+void CameraPass::look_twice(const MapState& map, const std::vector<PixelPoint>& points, SharedGathers& shared,
                             TilePaths& paths) {
   constexpr std::uint32_t none = 0xFFFFFFFF;
   std::vector<std::uint32_t> again_of(shared.queue.size(), none);
   GatherQueue again(points.size());
   const GatherPoints wide = shared.queue.view(), narrow = again.view();
   for (std::size_t i = 0; i < points.size(); ++i) {
-    std::uint32_t& number = again_of[shared.look_up_of[i]];
+    std::uint32_t& number = again_of[shared.gather_of[i]];
     if (number != none || !bias_.looks_twice(paths.x(points[i].pixel), paths.y(points[i].pixel))) continue;
     number = static_cast<std::uint32_t>(again.size());
-    again.push_back(shared.queue[shared.look_up_of[i]]);
-    narrow.radius[number] = wide.radius[shared.look_up_of[i]] * LookUpBias::narrow_part;
+    again.push_back(shared.queue[shared.gather_of[i]]);
+    narrow.radius[number] = wide.radius[shared.gather_of[i]] * GatherBias::narrow_part;
   }
-  look_up_in(map, again);
+  gather_in(map, again);
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const std::uint32_t pixel = points[i].pixel, look_up = shared.look_up_of[i];
+    const std::uint32_t pixel = points[i].pixel, radiance_estimate = shared.gather_of[i];
     if (!bias_.looks_twice(paths.x(pixel), paths.y(pixel))) continue;
-    add_lost(map, pixel, points[i].point.weight * (irradiance(wide, look_up) - irradiance(narrow, again_of[look_up])),
+    add_lost(map, pixel,
+             points[i].point.weight *
+                 (irradiance(wide, radiance_estimate) - irradiance(narrow, again_of[radiance_estimate])),
              paths);
   }
 }

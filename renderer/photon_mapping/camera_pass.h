@@ -5,15 +5,15 @@
 #include <cstdint>
 #include <vector>
 
+#include "renderer/passes/aov.h"
 #include "renderer/passes/render_loop.h"
 #include "renderer/passes/scratch_pool.h"
-#include "renderer/passes/view.h"
+#include "renderer/photon_mapping/adaptive_sample_map.h"
+#include "renderer/photon_mapping/gather_area.h"
+#include "renderer/photon_mapping/gather_bias.h"
 #include "renderer/photon_mapping/irradiance_cache.h"
-#include "renderer/photon_mapping/look_up_area.h"
-#include "renderer/photon_mapping/look_up_bias.h"
 #include "renderer/photon_mapping/photon_maps.h"
-#include "renderer/photon_mapping/pixel_effort.h"
-#include "renderer/photon_mapping/shared_look_ups.h"
+#include "renderer/photon_mapping/shared_gathers.h"
 #include "renderer/planning/plan.h"
 
 namespace photonproof::inline renderer_photon_mapping {
@@ -22,7 +22,7 @@ class CameraPass {
  public:
   /// `areas` is null without maps. Everything must outlive this.
   CameraPass(const Scene& scene, const PhotonSettings& settings, const RenderPlan& plan, const RenderJob& job,
-             std::vector<MapState*> maps_shown, const LookUpAreas* areas, LookUpBias& bias, PixelEffort& effort);
+             std::vector<MapState*> maps_shown, const GatherAreas* areas, GatherBias& bias, AdaptiveSampleMap& effort);
   /// From here on takes the light of the global map from it.
   void use(const IrradianceCache& cache) { cache_ = &cache; }
 
@@ -35,7 +35,7 @@ class CameraPass {
   void trace(const CameraTask& camera, TilePaths& paths, RenderLoop& loop);
   void trace_extra(TilePaths& paths, RenderLoop& loop);
   void leave_points(PathTask& task, TilePaths& paths) const;
-  void look_up_on_rough(RoughLookUps& rough, TilePaths& paths) const;
+  void gather_on_rough(RoughGathers& rough, TilePaths& paths) const;
   void add_photons(TilePaths& paths);
   void add_photons_on_rough(TilePaths& paths);
   void add_numbers(TilePaths& paths, double seconds, Film& numbers) const;
@@ -49,23 +49,23 @@ class CameraPass {
   bool narrows(const MapState& map) const { return shares_ && !map.fixed_radius; }
   float radius_at(const MapState& map, std::size_t pixel, const TilePaths& paths) const;
   std::vector<float> radii_of(const MapState& map, const std::vector<PixelPoint>& points, const TilePaths& paths) const;
-  void look_up_in(const MapState& map, GatherQueue& queue) const;
-  void look_twice(const MapState& map, const std::vector<PixelPoint>& points, SharedLookUps& shared, TilePaths& paths);
+  void gather_in(const MapState& map, GatherQueue& queue) const;
+  void look_twice(const MapState& map, const std::vector<PixelPoint>& points, SharedGathers& shared, TilePaths& paths);
   void add_lost(const MapState& map, std::uint32_t pixel, const Rgb& lost, const TilePaths& paths);
 
   const Scene& scene_;
   const RenderJob& job_;
-  const ViewRow& view_;
-  const bool shares_;  ///< look-ups
+  const AovRow& view_;
+  const bool shares_;  ///< gathers
   const IrradianceCache* cache_ = nullptr;
   const std::vector<MapState*> maps_;
   MapState* const caustic_;         ///< null: none
   const MapState* const gathered_;  ///< the global map, one bounce further (final_gather.h); null: none
   const bool traces_paths_;         ///< beyond the first diffuse surface, in place of a global map
   const bool goes_on_;              ///< beyond the first diffuse surface, one way or the other
-  const LookUpAreas* const areas_;
-  LookUpBias& bias_;
-  PixelEffort& effort_;
+  const GatherAreas* const areas_;
+  GatherBias& bias_;
+  AdaptiveSampleMap& effort_;
   const PhotonSettings& settings_;
   const PathSettings path_settings_;
   const float footprint_;  ///< of a pixel, at the median of what is seen

@@ -22,20 +22,20 @@ constexpr Stream look_around_stream{20}, pilot_sample_stream{21};
 
 /// Every so many rows one is looked at.
 constexpr int rows_apart = 4;
-/// Samples of a pixel that sees something by mirrors or through glass, and of one that came near a lamp: so many,
+/// Samples of a pixel that sees something by mirrors or through glass, and of one that came near a light: so many,
 /// unless they are more than this part of one for every pixel.
 constexpr double few_samples = 16, many_samples = 128;
 constexpr double part_of_pixels = 0.5;
-/// Of a lamp's radii: what counts as near, of few and of many samples.
+/// Of a light's radii: what counts as near, of few and of many samples.
 constexpr float near_of_few = 16, near_of_many = 4;
 /// Edges of a path: after more, even lobes are seldom met.
 constexpr int longest = 8;
-/// Each ray looks for all lamps.
-constexpr std::size_t most_lamps = 16;
+/// Each ray looks for all lights.
+constexpr std::size_t most_lights = 16;
 
 /// Empty where there are more, or none.
-std::vector<LampBall> lamp_balls(const Scene& scene) {
-  std::vector<LampBall> balls;
+std::vector<LightBall> light_balls(const Scene& scene) {
+  std::vector<LightBall> balls;
   for (std::size_t i = 0; i < scene.lights.size(); ++i) {
     const std::optional<LightBounds> bounds = light_bounds(scene.lights[i]);
     if (!bounds || is_delta(scene.lights[i])) continue;
@@ -43,7 +43,7 @@ std::vector<LampBall> lamp_balls(const Scene& scene) {
     if (!(radius > 0)) continue;
     balls.push_back({(bounds->low + bounds->high) * 0.5f, radius, bounds->power / (pi * pi * radius * radius)});
   }
-  if (balls.size() > most_lamps) balls.clear();
+  if (balls.size() > most_lights) balls.clear();
   return balls;
 }
 
@@ -102,7 +102,7 @@ class Pilot {
         job_(job),
         threads_(threads),
         settings_(settings),
-        lamps_(lamp_balls(scene)),
+        lights_(light_balls(scene)),
         scratch_(job.kernels().path),
         found_(window) {
     settings_.direct_light = DirectLight::rare_hits_only;
@@ -113,9 +113,9 @@ class Pilot {
   Marks look_around();
   /// So many samples for each of the pixels, unless they are too many; numbers begin at `first`.
   void sample(Marks& pixels, std::int64_t first, double samples, float within);
-  /// The pixels that came nearest to lamps, and their neighbours.
-  Marks nearest_to_lamps();
-  void tell(PixelEffort& effort, Marks& by_many);
+  /// The pixels that came nearest to lights, and their neighbours.
+  Marks nearest_to_lights();
+  void tell(AdaptiveSampleMap& effort, Marks& by_many);
   const RayTotals& rays() const { return rays_; }
 
  private:
@@ -129,7 +129,7 @@ class Pilot {
   const RenderJob& job_;
   const Threads& threads_;
   PathSettings settings_;
-  const std::vector<LampBall> lamps_;
+  const std::vector<LightBall> lights_;
   ScratchPool scratch_;
   RayTotals rays_;
   Plane<Found> found_;
@@ -145,7 +145,7 @@ void Pilot::trace(CameraTask camera, Stream stream, float within, Traced& traced
                 .camera = camera,
                 .settings = settings_,
                 .policy = PathPolicy::pilot_pass,
-                .search = {lamps_.data(), lamps_.size(), within},
+                .search = {lights_.data(), lights_.size(), within},
                 .radiance = traced.radiance.data(),
                 .points = traced.points.view()};
   scratch_.trace(task);
@@ -195,7 +195,7 @@ void Pilot::sample(Marks& pixels, std::int64_t first, double samples, float with
   });
 }
 
-Marks Pilot::nearest_to_lamps() {
+Marks Pilot::nearest_to_lights() {
   const Tile& window = found_.window();
   Marks marks(window);
   for (int y = window.y0; y < window.y1; ++y)
@@ -208,7 +208,7 @@ Marks Pilot::nearest_to_lamps() {
   return marks;
 }
 
-void Pilot::tell(PixelEffort& effort, Marks& by_many) {
+void Pilot::tell(AdaptiveSampleMap& effort, Marks& by_many) {
   const Tile& window = found_.window();
   for (int y = window.y0; y < window.y1; ++y)
     for (int x = window.x0; x < window.x1; ++x) {
@@ -222,12 +222,12 @@ void Pilot::tell(PixelEffort& effort, Marks& by_many) {
 }  // namespace
 
 void run_camera_pilot(const Scene& scene, const PathSettings& settings, const RenderJob& job, const Threads& threads,
-                      const Tile& window, PixelEffort& effort, RenderStats& stats) {
+                      const Tile& window, AdaptiveSampleMap& effort, RenderStats& stats) {
   const PhaseTimer phase(stats.phases["pilot"]);
   Pilot pilot(scene, settings, job, threads, window);
   Marks by_specular = pilot.look_around();
   pilot.sample(by_specular, 0, few_samples, near_of_few);
-  Marks nearest = pilot.nearest_to_lamps();
+  Marks nearest = pilot.nearest_to_lights();
   pilot.sample(nearest, static_cast<std::int64_t>(few_samples), many_samples, near_of_many);
   pilot.tell(effort, nearest);
   pilot.rays().store(stats);

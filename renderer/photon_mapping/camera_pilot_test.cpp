@@ -1,4 +1,4 @@
-// Camera samples beforehand find lamps that are rarely met, and bias nothing.
+// Camera samples beforehand find lights that are rarely met, and bias nothing.
 
 #include "renderer/photon_mapping/camera_pilot.h"
 
@@ -10,14 +10,14 @@
 #include <vector>
 
 #include "renderer/integrators/test_scenes.h"
-#include "renderer/kernels/lamp_search.h"
+#include "renderer/kernels/light_search.h"
 #include "renderer/photon_mapping/photon_maps.h"
 
 namespace photonproof::inline renderer_photon_mapping {
 namespace {
 
-/// The room with one glass ball under a lamp of a hundredth of a pixel's size when seen in it.
-SceneDescription room_with_tiny_lamp(int size) {
+/// The room with one glass ball under a light of a hundredth of a pixel's size when seen in it.
+SceneDescription room_with_tiny_light(int size) {
   SceneDescription scene = test::room(size, true);
   scene.shapes.pop_back();  // the mirror
   for (ShapeDescription& shape : scene.shapes) {
@@ -69,18 +69,18 @@ TEST(camera_pilot, even_lobes_keep_the_mean_square) {
 }
 
 // A ball of radius 0.1, 0.3 beside a ray: a third of its radiance is what the path came near to, and nothing is met.
-TEST(camera_pilot, a_ray_is_worth_the_part_of_a_lamp_that_its_distance_is_of_the_radius) {
+TEST(camera_pilot, a_ray_is_worth_the_part_of_a_light_that_its_distance_is_of_the_radius) {
   struct State {
     Vec3f origin{0, 0, 0}, direction{0, 0, 1}, throughput{0.5f, 0.25f, 0}, radiance{0, 0, 0};
   };
-  const LampBall lamp{{0.3f, 0, 2}, 0.1f, 60};
+  const LightBall area_light{{0.3f, 0, 2}, 0.1f, 60};
   const auto found = [&](float within, float x, float end) {
     State s;
     s.origin.x = x;
     SurfaceHit<float> hit;
     hit.valid = true;
     hit.p = {x, 0, end};
-    find_lamps<State, float>({&lamp, 1, within}, s, hit, true);
+    find_lights<State, float>({&area_light, 1, within}, s, hit, true);
     return s.radiance;
   };
   EXPECT_NEAR(found(4, 0, 9).z, 10, 1e-4);
@@ -91,16 +91,16 @@ TEST(camera_pilot, a_ray_is_worth_the_part_of_a_lamp_that_its_distance_is_of_the
   EXPECT_EQ(found(4, 0.25f, 1).x, 0) << "hidden";
 }
 
-// The pilot against a witness: pixels in which the path tracer met the lamp behind the glass get many more samples.
-TEST(camera_pilot, finds_the_pixels_where_a_path_tracer_meets_the_lamp) {
+// The pilot against a witness: pixels in which the path tracer met the light behind the glass get many more samples.
+TEST(camera_pilot, finds_the_pixels_where_a_path_tracer_meets_the_light) {
   constexpr int size = 128;
-  const SceneDescription description = room_with_tiny_lamp(size);
-  SceneDescription black = description;  // nothing but what mirrors and glass show of the lamp
+  const SceneDescription description = room_with_tiny_light(size);
+  SceneDescription black = description;  // nothing but what mirrors and glass show of the light
   for (BsdfDescription& bsdf : black.bsdfs)
     if (auto* diffuse = std::get_if<DiffuseDescription>(&bsdf.model)) *diffuse = DiffuseDescription{RgbD(0)};
   const Image shown = rendered(black, "path", 2048, 5);
   const Scene scene = test::compiled(description, size, size, {});
-  PixelEffort effort(Tile{0, 0, size, size});
+  AdaptiveSampleMap effort(Tile{0, 0, size, size});
   RenderStats stats;
   const RenderJob job = test::job_with(1, 0, 1);
   const Threads threads(2);
@@ -111,12 +111,13 @@ TEST(camera_pilot, finds_the_pixels_where_a_path_tracer_meets_the_lamp) {
   for (int y = 0; y < size; ++y)
     for (int x = 0; x < size; ++x) {
       if (effort.extra(x, y) > 0) ++chosen;
-      if (y < 40) continue;  // the lamp itself
+      if (y < 40) continue;  // the light itself
       const double light = static_cast<double>(shown.pixel(x, y)[0]);
       shown_light += light;
       if (effort.extra(x, y) >= 7) steered_light += light;
     }
-  std::printf("%.3g of the lamp's light of %.3g is in steered pixels, %d chosen\n", steered_light, shown_light, chosen);
+  std::printf("%.3g of the light's light of %.3g is in steered pixels, %d chosen\n", steered_light, shown_light,
+              chosen);
   EXPECT_GT(shown_light, 1);
   // The rest was met once in a pixel's 2048 samples.
   EXPECT_GT(steered_light, 0.85 * shown_light);
@@ -124,7 +125,7 @@ TEST(camera_pilot, finds_the_pixels_where_a_path_tracer_meets_the_lamp) {
 }
 
 TEST(camera_pilot, no_seed_is_stuck_on_a_firefly) {
-  const SceneDescription scene = room_with_tiny_lamp(64);
+  const SceneDescription scene = room_with_tiny_light(64);
   const Image reference = rendered(scene, "photonmapper", 1024, 1000);
   std::vector<double> worst;
   for (std::uint64_t seed = 1; seed <= 40; ++seed)
@@ -135,7 +136,7 @@ TEST(camera_pilot, no_seed_is_stuck_on_a_firefly) {
 }
 
 TEST(camera_pilot, an_image_has_the_path_tracers_mean) {
-  const SceneDescription scene = room_with_tiny_lamp(24);
+  const SceneDescription scene = room_with_tiny_light(24);
   constexpr int seeds = 24;
   double mean[2] = {}, variance[2] = {};
   for (int which = 0; which < 2; ++which) {

@@ -28,8 +28,8 @@ bool is_opaque(const SceneParts& scene, std::size_t surface) {
                                [](const Bsdf& leaf, bool) { return lets_light_through(leaf); });
 }
 
-/// Taken for one where any corner or the middle of the box around a lamp is inside, or the solid's middle in that box.
-bool holds_lamp(const SceneParts& scene, const Solid& solid) {
+/// Taken for one where any corner or the middle of the box around a light is inside, or the solid's middle in that box.
+bool holds_light(const SceneParts& scene, const Solid& solid) {
   return std::ranges::any_of(scene.lights, [&](const Light& light) {
     const std::optional<LightBounds> box = light_bounds(light);
     if (!box) return false;
@@ -56,7 +56,7 @@ std::optional<Solid> solid_of(const Geometry& geometry) {
 std::vector<PlacedSolid> solids_of(const SceneParts& scene) {
   std::vector<PlacedSolid> solids;
   const auto add = [&](const std::optional<Solid>& solid, std::size_t first, std::size_t count) {
-    if (solid && is_opaque(scene, first) && !holds_lamp(scene, *solid)) solids.push_back({*solid, first, count});
+    if (solid && is_opaque(scene, first) && !holds_light(scene, *solid)) solids.push_back({*solid, first, count});
   };
   for (const std::size_t first : scene.cubes) {
     std::array<const Quad*, 6> sides{};
@@ -67,7 +67,7 @@ std::vector<PlacedSolid> solids_of(const SceneParts& scene) {
   return solids;
 }
 
-/// What the solid covers of a flat surface; nothing of others, whose look-ups count all of their discs.
+/// What the solid covers of a flat surface; nothing of others, whose gathers count all of their discs.
 std::optional<Footprint> footprint(const Solid& solid, const Geometry& geometry) {
   using Found = std::optional<Footprint>;
   return std::visit(Overloaded{[&](const Quad& quad) { return Footprint::of(solid, quad); },

@@ -1,11 +1,11 @@
-// What solids that stand on flat surfaces, or are sunk in them, cover of them (footprint.h), for photon look-ups.
-// Solids are cubes and spheres that let no light through and have no lamp inside: no photon lands in their footprints.
+// What solids that stand on flat surfaces, or are sunk in them, cover of them (footprint.h), for photon gathers.
+// Solids are cubes and spheres that let no light through and have no light inside: no photon lands in their footprints.
 #pragma once
 
 #include <vector>
 
 #include "renderer/kernels/tasks.h"
-#include "renderer/photons/photon_sheet.h"
+#include "renderer/photons/surface_side.h"
 #include "renderer/scene/scene_parts.h"
 #include "renderer/scene/surface_detail.h"
 #include "renderer/shapes/footprint.h"
@@ -18,7 +18,7 @@ class CoveredAreas {
 
   /// Of an area of the point's surface within the radius, what is not covered; 0 where rounding leaves next to nothing.
   float left_of(float area, const GatherPoint& point, float radius) const {
-    const bool behind = (point.sheet & PhotonSheet::from_behind) != 0;
+    const bool behind = (point.surface_side & SurfaceSide::from_behind) != 0;
     const std::vector<Footprint>& covered = (behind ? back_ : front_)[surface_number(point.surface)];
     return covered.empty() ? area : left_of(covered, area, point, radius);
   }

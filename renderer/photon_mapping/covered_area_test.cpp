@@ -1,4 +1,4 @@
-// Look-ups beside what stands on a surface: no light lands under it, and none of it is missing beside it.
+// Gathers beside what stands on a surface: no light lands under it, and none of it is missing beside it.
 
 #include <gtest/gtest.h>
 
@@ -37,7 +37,7 @@ SceneDescription furnace_with_boxes(int size) {
 /// what walls emit and what one bounce adds, 2 - 1 - 0.5.
 double worst_block_of_map(SceneDescription scene) {
   RenderJob job = test::job_with(16, 8'000'000);
-  job.view = View::global;
+  job.view = Aov::global;
   scene = test::with_indirect(std::move(scene), IndirectLight::map, 0.15);
   const Image image = test::render(scene, "photonmapper", job).image.mean;
   double worst = 0;
@@ -62,18 +62,18 @@ TEST(box_feet, what_lets_light_through_covers_nothing) {
   EXPECT_LT(worst_block_of_map(scene), 0.03);
 }
 
-TEST(box_feet, a_lamp_inside_keeps_its_light) {
-  // A closed box around the camera and a lamp: what it shows of the floor that it stands on is as if it covered
+TEST(box_feet, a_light_inside_keeps_its_light) {
+  // A closed box around the camera and a light: what it shows of the floor that it stands on is as if it covered
   // nothing.
   SceneDescription scene;
   const BsdfIndex grey = test::add_bsdf(scene, DiffuseDescription{RgbD(0.5)});
   ShapeDescription& walls = test::add_shape(scene, CubeDescription{}, Transform::scale(Vec3d(3)), grey);
   walls.flip_normals = true;
   walls.radiance = RgbD(1);
-  // Its sides face outward; from inside they are black, so that light of the lamp falls on the floor alone.
+  // Its sides face outward; from inside they are black, so that light of the light falls on the floor alone.
   test::add_shape(scene, CubeDescription{}, Transform::translate({0.5, -2, 0.5}), grey);
-  ShapeDescription& lamp = test::add_shape(scene, SphereDescription{{0.5, -1.5, 0.5}, 0.2}, {}, grey);
-  lamp.radiance = RgbD(5);
+  ShapeDescription& light = test::add_shape(scene, SphereDescription{{0.5, -1.5, 0.5}, 0.2}, {}, grey);
+  light.radiance = RgbD(5);
   test::set_camera(scene, Transform::look_at({0.5, -1.6, 1.3}, {0.5, -3, 0.5}, {0, 1, 0}), 60, 16);
   scene.integrator.method = PathDescription{-1, 24, false};
   const auto path = test::render(scene, "path", test::job_with(1024));

@@ -18,7 +18,7 @@ SceneDescription gathered(const SceneDescription& scene, double radius = 0) {
   return test::with_indirect(scene, IndirectLight::gather, radius);
 }
 
-/// The room with the lamp unseen: its few bright pixels would carry most of the mean's noise.
+/// The room with the light unseen: its few bright pixels would carry most of the mean's noise.
 SceneDescription room_to_gather(bool with_balls) {
   SceneDescription scene = test::room(32, with_balls);
   scene.integrator.method = PathDescription{-1, 5, true};
@@ -46,7 +46,7 @@ TEST(final_gather, depth_counts_the_bounce_and_light_edges_together) {
 }
 
 TEST(final_gather, near_hits_that_are_traced_on_have_the_same_depth) {
-  // A look-up within 2 R of a sphere reaches all of it: every second hit is a near one, and the third looks up.
+  // A gather within 2 R of a sphere reaches all of it: every second hit is a near one, and the third looks up.
   SceneDescription scene = test::furnace(0.5, 1, 16);
   scene.integrator.method = PathDescription{4, 24, false};
   const auto out = render(gathered(scene, 2.01), "photonmapper", job_with(64, 500'000));

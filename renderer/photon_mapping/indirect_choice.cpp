@@ -10,8 +10,8 @@
 #include <variant>
 #include <vector>
 
-#include "renderer/lanes/draws.h"
-#include "renderer/light_choice/scene_lights.h"
+#include "renderer/lanes/path_sampler.h"
+#include "renderer/light_sampling/scene_lights.h"
 #include "renderer/passes/scratch_pool.h"
 #include "renderer/passes/tile_film.h"
 #include "renderer/sensor/film.h"
@@ -32,7 +32,7 @@ constexpr double plainly = 0.9;
 constexpr double bright = 100;
 
 // Measured on library scenes at 256x256 with 16 lanes, one thread.
-constexpr double ray_in_small_scene = 35, ray_elsewhere = 90, look_up_time = 70;  // ns
+constexpr double ray_by_brute_force = 35, ray_elsewhere = 90, gather_time = 70;  // ns
 constexpr double photon_ray_in_rays = 1.4;
 constexpr std::uint64_t priced_photons = 1024;  // of a map: what a photon takes, no more
 constexpr double guided_start = 600;            // ns: the densities of all places that a photon may be sent to
@@ -89,7 +89,7 @@ double brightest_light(const Scene& scene, std::uint64_t seed) {
   constexpr std::uint64_t starts = 256;
   double most = 0;
   for (std::uint64_t i = 0; i < starts; ++i) {
-    const Draws draws = draws_of_history(SamplerKind::sobol, seed, brightest_light_stream, i);
+    const PathSampler draws = sampler_of_path(SamplerKind::sobol, seed, brightest_light_stream, i);
     const LightStart start = scene.scene_lights().emit(draws.one(2), draws.two(0), draws.two(1));
     if (start.is_delta) return std::numeric_limits<double>::infinity();
     const double cosine = start.is_infinite ? 1 : double{dot(start.at.normal, start.direction)};
@@ -228,16 +228,16 @@ IndirectChoice choose_indirect(const PhotonSource& source, const PhotonMaps& map
   if (caustics && brightest_light(source.scene, source.job.seed) < bright * mean_of(beside))
     alone = tracer.trace(PathPolicy::path_tracing);
 
-  const double ray = plan.scene.small && !plan.scene.detailed ? ray_in_small_scene : ray_elsewhere;
+  const double ray = plan.scene.small && !plan.scene.detailed ? ray_by_brute_force : ray_elsewhere;
   const CameraView& camera = source.scene.view().camera;
   const double photons_a_path = maps.global.a_sample * double{camera.inverse_width} * double{camera.inverse_height};
   const double a_photon = rays_a_photon(source, maps, stats) * photon_ray_in_rays * ray +
                           (source.scene.view().guided_emission ? guided_start : 0);
-  const double map_time = look_up_time + photons_a_path * a_photon;
+  const double map_time = gather_time + photons_a_path * a_photon;
   IndirectPilot pilot;
   pilot.maps = {variance_of(direct, beside), direct.rays_a_sample * ray + (caustics ? 2 : 1) * map_time};
   pilot.beside_caustics = {variance_of(beside, beside),
-                           beside.rays_a_sample * ray + (caustics ? map_time + look_up_time : 0)};
+                           beside.rays_a_sample * ray + (caustics ? map_time + gather_time : 0)};
   if (alone) pilot.paths_alone = {variance_of(*alone, *alone), alone->rays_a_sample * ray};
   pilot.indirect_square = mean_square_between(direct, beside);
   pilot.caustics = caustics;

@@ -1,13 +1,13 @@
 // Which way of finding light between diffuse surfaces the photon mapper takes where that is left to it: its maps, path
 // tracing beside the caustic map, or path tracing alone. A pilot of some thousand camera paths says how far apart the
 // samples of a pixel are each way, V relative to the image as relmse counts, and how many rays one takes; tables of
-// what rays and look-ups take on the machine that they were measured on turn that into a time C. S samples then have
+// what rays and gathers take on the machine that they were measured on turn that into a time C. S samples then have
 //   path tracing   relmse V/S
 //   the maps       relmse V/S + 3/2 i^2 / M,   M = 700 (N / 1e6)^(2/3)
 // after S C. i^2 is the part of the image's square that is indirect, M the photons in a disc after N photons in all: a
-// look-up's variance is 1/M, and its squared bias half of that at the best radius (look_up_bias.h). So maps win early
+// gather's variance is 1/M, and its squared bias half of that at the best radius (gather_bias.h). So maps win early
 // and path tracing late, and what is asked for decides.
-// Path tracing alone finds caustics by rays that happen to meet lights. From a lamp much brighter than the image they
+// Path tracing alone finds caustics by rays that happen to meet lights. From a light much brighter than the image they
 // are too rare for a pilot to tell how far they scatter it: there the caustic map stays.
 #pragma once
 
@@ -46,7 +46,7 @@ struct IndirectChoice {
 /// Another way than the maps must be plainly first.
 IndirectChoice choose_indirect(const IndirectPilot& pilot, const RenderBudget& budget, std::int64_t samples);
 
-/// A clause about maps of a scene whose emission_misses_planes (light_choice/scene_lights.h).
+/// A clause about maps of a scene whose emission_misses_planes (light_sampling/scene_lights.h).
 inline constexpr const char* light_that_maps_miss =
     "photon maps miss what a plane without end throws back, from afar, of light from infinity";
 

@@ -100,7 +100,7 @@ TEST(indirect_choice, is_the_maps_where_photons_radii_or_parts_of_the_light_are_
   const SceneDescription within = test::with_indirect(furnace, IndirectLight::automatic, 0.1);
   EXPECT_TRUE(test::render(within, "photonmapper", free_job()).stats.choices.empty());
   RenderJob part = free_job();
-  part.view = View::global;
+  part.view = Aov::global;
   EXPECT_TRUE(test::render(furnace, "photonmapper", part).stats.choices.empty());
 }
 

@@ -28,13 +28,13 @@ constexpr float pi = std::numbers::pi_v<float>;
 
 /// Radiance 1, 2 and 3 of the channels from the rectangle [.2, 1.4] x [-.5, .7] at height 1 above points about the
 /// origin; black beyond it.
-const std::array<Vec3d, 4> lamp{Vec3d{0.2, -0.5, 1}, Vec3d{1.4, -0.5, 1}, Vec3d{1.4, 0.7, 1}, Vec3d{0.2, 0.7, 1}};
+const std::array<Vec3d, 4> light{Vec3d{0.2, -0.5, 1}, Vec3d{1.4, -0.5, 1}, Vec3d{1.4, 0.7, 1}, Vec3d{0.2, 0.7, 1}};
 
 /// Lambert's formula: the irradiance of a polygon above the horizon.
-double irradiance_of_lamp(const Vec3d& p, const Vec3d& n) {
+double irradiance_of_light(const Vec3d& p, const Vec3d& n) {
   double sum = 0;
-  for (std::size_t i = 0; i < lamp.size(); ++i) {
-    const Vec3d a = normalize(lamp[i] - p), b = normalize(lamp[(i + 1) % lamp.size()] - p);
+  for (std::size_t i = 0; i < light.size(); ++i) {
+    const Vec3d a = normalize(light[i] - p), b = normalize(light[(i + 1) % light.size()] - p);
     const Vec3d across = cross(a, b);
     sum += std::atan2(length(across), dot(a, b)) * dot(normalize(across), n);
   }
@@ -42,7 +42,7 @@ double irradiance_of_lamp(const Vec3d& p, const Vec3d& n) {
 }
 
 /// Exact rays, through the middles of cells.
-HemisphereRays rays_to_lamp(const HemisphereGrid& grid, const Vec3f& n) {
+HemisphereRays rays_to_light(const HemisphereGrid& grid, const Vec3f& n) {
   HemisphereRays rays;
   const std::array<Vec3f, 2> axes = record_axes(n);
   for (std::size_t i = 0; i < grid.cells(); ++i) {
@@ -71,9 +71,9 @@ TEST(irradiance_record, of_an_even_hemisphere_is_pi_and_does_not_change) {
 TEST(irradiance_record, gradients_are_those_of_a_rectangle) {
   const HemisphereGrid grid{200, 628};
   for (const Vec3f& n : {Vec3f{0, 0, 1}, normalize(Vec3f{0.1f, 0.15f, 1})}) {
-    const IrradianceRecord record = make_record({0, 0, 0}, n, grid, rays_to_lamp(grid, n), 0.01f);
+    const IrradianceRecord record = make_record({0, 0, 0}, n, grid, rays_to_light(grid, n), 0.01f);
     const Vec3d normal{double{n.x}, double{n.y}, double{n.z}};
-    const double here = irradiance_of_lamp({0, 0, 0}, normal);
+    const double here = irradiance_of_light({0, 0, 0}, normal);
     const auto expect_change = [&](double expected, float found, const char* what) {
       EXPECT_NEAR(double{found}, expected, 0.02 * here) << what;
       EXPECT_NEAR(double{found}, expected, 0.04 * std::abs(expected) + 0.005 * here) << what;
@@ -84,11 +84,11 @@ TEST(irradiance_record, gradients_are_those_of_a_rectangle) {
     for (const Vec3f& axis : axes) {
       const Vec3d along{double{axis.x}, double{axis.y}, double{axis.z}};
       const double moved =
-          (irradiance_of_lamp(along * step, normal) - irradiance_of_lamp(along * -step, normal)) / (2 * step);
+          (irradiance_of_light(along * step, normal) - irradiance_of_light(along * -step, normal)) / (2 * step);
       expect_change(moved, dot(axis, record.moved[0]), "moved");
       expect_change(moved, dot(axis, record.moved[2]) / 3, "moved, blue");
       // Turned towards the axis: about n x axis.
-      const auto tilted = [&](double by) { return irradiance_of_lamp({0, 0, 0}, normalize(normal + along * by)); };
+      const auto tilted = [&](double by) { return irradiance_of_light({0, 0, 0}, normalize(normal + along * by)); };
       const double turned = (tilted(step) - tilted(-step)) / (2 * step);
       expect_change(turned, dot(cross(n, axis), record.turned[0]), "turned");
     }
@@ -164,7 +164,7 @@ IrradianceCache records_of(const SceneDescription& room, const RenderJob& job, i
   const RenderPlan plan = plan_render(analyse(SceneParts(room, size, size)), room.integrator, job);
   const PhotonSettings settings(room.integrator, job);
   const Threads threads(2);
-  const LookUpAreas areas(scene, threads);
+  const GatherAreas areas(scene, threads);
   RenderStats stats;
   return make_irradiance_cache(plan, {scene, settings, job, threads}, areas, {0, 0, size, size}, stats).cache;
 }
@@ -190,12 +190,12 @@ TEST(irradiance_cache, has_more_records_at_edges_than_in_the_middle_of_walls) {
 }
 
 // The camera of the room looks from (0, 0, 3.9) along -z, 64 pixels from the middle of its image to an edge at 18
-// degrees. Nothing in the room hides anything but the lamp, below the ceiling.
+// degrees. Nothing in the room hides anything but the light, below the ceiling.
 TEST(irradiance_cache, its_picture_has_a_coloured_dot_at_every_record_and_is_grey_elsewhere) {
   SceneDescription room = test::room(128, false);
-  room.integrator.method = PhotonMapperDescription{};  // with direct look-ups: the view asks for the cache itself
+  room.integrator.method = PhotonMapperDescription{};  // with direct gathers: the view asks for the cache itself
   RenderJob job = job_with(8, 100'000);
-  job.view = View::cache_records;
+  job.view = Aov::cache_records;
   const IrradianceCache cache = records_of(room, job, 128);
   const Image picture = render(room, "photonmapper", job).image.mean;
   const double scale = test::compiled(room, 128, 128).scale();

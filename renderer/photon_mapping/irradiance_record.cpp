@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "renderer/lanes/warp.h"
-#include "renderer/photons/photon_sheet.h"
+#include "renderer/photons/surface_side.h"
 
 namespace photonproof::inline renderer_photon_mapping {
 namespace {

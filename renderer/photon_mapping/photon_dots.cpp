@@ -8,11 +8,11 @@
 #include <vector>
 
 #include "renderer/core/ray_counts.h"
-#include "renderer/lanes/draws.h"
-#include "renderer/photons/photon_sheet.h"
+#include "renderer/lanes/path_sampler.h"
+#include "renderer/photons/surface_side.h"
+#include "renderer/scalar/scalar_camera.h"
+#include "renderer/scalar/scene_interface.h"
 #include "renderer/scalar/surroundings.h"
-#include "renderer/scalar/world.h"
-#include "renderer/scalar/world_camera.h"
 #include "renderer/sensor/splats.h"
 #include "scenes/base/timer.h"
 
@@ -41,27 +41,28 @@ struct SeenPhotons {
 
 class PhotonEye {
  public:
-  /// `hides_lamps`: the camera does not see photons on lamps, but those behind.
-  PhotonEye(const Scene& scene, bool hides_lamps) : world_(scene), camera_(world_, 1), hides_lamps_(hides_lamps) {}
+  /// `hides_lights`: the camera does not see photons on lights, but those behind.
+  PhotonEye(const Scene& scene, bool hides_lights)
+      : scene_interface_(scene), camera_(scene_interface_, 1), hides_lights_(hides_lights) {}
 
   /// Adds the photon's dot, of its flux times `scale`, if the camera sees the side it landed on.
-  void look_at(const Photon& photon, float scale, const Draws& draws, SeenPhotons& seen) const {
-    if (hides_lamps_ && world_.scene().surfaces[surface_number(photon.surface)].light != no_index) return;
+  void look_at(const Photon& photon, float scale, const PathSampler& draws, SeenPhotons& seen) const {
+    if (hides_lights_ && scene_interface_.scene().surfaces[surface_number(photon.surface)].light != no_index) return;
     const std::optional<CameraSeen> camera = camera_.connect(photon.p_world, draws.two(lens_dimension));
     if (!camera) return;
-    const Vec3f side = facing_sheet_normal(photon.sheet);
+    const Vec3f side = facing_side_normal(photon.surface_side);
     if (!(dot(side, camera->wi) > 0)) return;
     ++seen.rays.shadow;
     const SegmentEnd landed{photon.p_world, side, no_index, surface_number(photon.surface)};
-    const Passing through{.null = true, .lamps = hides_lamps_};
-    const Rgb arrives = transmittance(world_, landed, camera->end, {}, through, draws, layer_dimension);
+    const Passing through{.null = true, .lights = hides_lights_};
+    const Rgb arrives = transmittance(scene_interface_, landed, camera->end, {}, through, draws, layer_dimension);
     if (max_component(arrives) > 0) seen.dots.push_back({camera->raster, photon.flux * arrives * scale});
   }
 
  private:
-  World world_;
-  WorldCamera camera_;
-  bool hides_lamps_;
+  SceneInterface scene_interface_;
+  ScalarCamera camera_;
+  bool hides_lights_;
 };
 
 void add_dots(const Splats& dots, const Tile& window, SplatImage& sums) {
@@ -97,7 +98,7 @@ void render_photon_dots(const PhotonSource& source, PhotonMaps& maps, const Pass
       const std::size_t end = std::min(photons.size(), (unit + 1) * photons_a_unit);
       for (std::size_t i = unit * photons_a_unit; i < end; ++i)
         eye.look_at(photons[i], scale,
-                    draws_of_history(source.job.sampler, source.job.seed, photon_dots_stream, stored_before + i), seen);
+                    sampler_of_path(source.job.sampler, source.job.seed, photon_dots_stream, stored_before + i), seen);
       loop.rays().add(seen.rays);
     };
     const auto commit = [&](std::size_t unit, std::size_t slot) {

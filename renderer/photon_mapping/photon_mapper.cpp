@@ -1,9 +1,9 @@
 // Photon mapping (Jensen 1996, 2001) with fixed-radius density estimation at the first diffuse hit of a camera path:
 //   L = Le + direct (next-event estimation) + rho/pi (sum of caustic fluxes / A_c + sum of global fluxes / A_g)
-// where A is the area of that part of the surface whose photons the look-up counts (photon_sheet.h, look_up_area.h). On
-// the way there, at rough parts of BSDFs, caustic photons are looked up by their directions (rough_look_up.h):
+// where A is the area of that part of the surface whose photons the gather counts (photon_sheet.h, gather_area.h). On
+// the way there, at rough parts of BSDFs, caustic photons are looked up by their directions (rough_gather.h):
 //   L += sum of f(direction) x flux / A_c
-// The render is cut into passes, each with photons and camera samples of its own: the mean is the same, look-ups are
+// The render is cut into passes, each with photons and camera samples of its own: the mean is the same, gathers are
 // cheaper, and the passes' spread gives an honest variance that includes the photons' noise (not the bias of the
 // radius). A view (view.h) shows a part of that light, or how it was found.
 
@@ -16,20 +16,20 @@
 #include <string>
 #include <vector>
 
-#include "renderer/light_choice/scene_lights.h"
+#include "renderer/light_sampling/scene_lights.h"
+#include "renderer/passes/aov.h"
 #include "renderer/passes/render_loop.h"
-#include "renderer/passes/view.h"
+#include "renderer/photon_mapping/adaptive_sample_map.h"
 #include "renderer/photon_mapping/cache_prepass.h"
 #include "renderer/photon_mapping/camera_pass.h"
 #include "renderer/photon_mapping/camera_pilot.h"
+#include "renderer/photon_mapping/gather_area.h"
+#include "renderer/photon_mapping/gather_bias.h"
 #include "renderer/photon_mapping/indirect_choice.h"
 #include "renderer/photon_mapping/irradiance_cache.h"
-#include "renderer/photon_mapping/look_up_area.h"
-#include "renderer/photon_mapping/look_up_bias.h"
 #include "renderer/photon_mapping/photon_dots.h"
 #include "renderer/photon_mapping/photon_maps.h"
-#include "renderer/photon_mapping/pixel_effort.h"
-#include "renderer/scene/aim_targets.h"
+#include "renderer/scene/projection_targets.h"
 #include "scenes/base/input_error.h"
 
 namespace photonproof::inline renderer_photon_mapping {
@@ -64,7 +64,7 @@ std::string photons_words(const PhotonSettings& settings, const RenderJob& job, 
   std::string words = settings.textbook ? of(settings.textbook->photons_a_pass) + " in every pass"
                       : total > 0       ? of(total) + " emitted"
                                         : "a photon for four camera samples";
-  if (job.view == View::photons) return words;
+  if (job.view == Aov::photons) return words;
   char number[32];
   std::snprintf(number, sizeof number, "%g", radius);
   if (settings.textbook) {
@@ -99,7 +99,7 @@ std::string camera_paths_words(const PhotonSettings& settings, bool any_global_m
 }
 
 /// Whether pixels get numbers of samples of their own.
-bool steers_samples(const PhotonSettings& settings, const ViewRow& view, const RenderJob& job) {
+bool steers_samples(const PhotonSettings& settings, const AovRow& view, const RenderJob& job) {
   return !settings.textbook && view.made_from_all() && job.grid == 0;
 }
 
@@ -109,13 +109,13 @@ void plan_camera_pilot(Planner& planner) {
                     : !facts.lights_can_be_hit && !facts.any_environment ? "rays meet no light"
                                                                          : nullptr;
   if (!planner.decide(Skip::camera_pilot, why != nullptr, why != nullptr ? why : "",
-                      "mirrors or smooth glass may show lamps"))
+                      "mirrors or smooth glass may show lights"))
     planner.run(
         "camera pilot",
-        "samples beforehand, of no image, find the pixels where a lamp is rarely met by mirrors or through glass");
+        "samples beforehand, of no image, find the pixels where a light is rarely met by mirrors or through glass");
 }
 
-void plan_camera_paths(Planner& planner, const PhotonSettings& settings, const ViewRow& view) {
+void plan_camera_paths(Planner& planner, const PhotonSettings& settings, const AovRow& view) {
   planner.run("camera paths", camera_paths_words(settings, !planner.plan().skips(Skip::global_map)) + "; " +
                                   depth_words(settings.limits.max_depth));
   if (steers_samples(settings, view, planner.job())) {
@@ -140,7 +140,7 @@ PassPlan plan_passes(const PhotonSettings& settings, const PhotonMaps& maps) {
 
 /// Those of the maps whose light is shown, where camera paths go on also that of caustics that diffuse surfaces throw
 /// back: the plan may want others, too (--no-skip).
-std::vector<MapState*> shown_by(const ViewRow& view, IndirectLight indirect, std::vector<MapState*> maps) {
+std::vector<MapState*> shown_by(const AovRow& view, IndirectLight indirect, std::vector<MapState*> maps) {
   const bool later_caustics = indirect == IndirectLight::gather || indirect == IndirectLight::path;
   std::erase_if(maps, [&](const MapState* map) {
     return map->kind == PhotonKind::caustic ? !view.caustic_map && !later_caustics : !view.global_map;
@@ -152,7 +152,7 @@ void keep(RenderLoop& loop, PhotonMaps& maps) {
   for (MapState* map : {&maps.global, &maps.caustic}) {
     loop.keep_between_passes(map->counts);
     loop.keep_between_passes(map->radii);
-    loop.keep(map->look_ups);
+    loop.keep(map->gathers);
     loop.keep(map->found);
   }
 }
@@ -187,8 +187,8 @@ bool takes_cache(const PhotonSettings& settings, PhotonMaps& maps) {
 struct Lessons {
   const Film& image;
   const std::vector<MapState*> maps;  ///< looked up
-  LookUpBias bias;
-  PixelEffort effort;
+  GatherBias bias;
+  AdaptiveSampleMap effort;
   PassHalves halves{};
   std::optional<CheckedCache> checked{};
 
@@ -198,7 +198,7 @@ struct Lessons {
   double bias_of_cache() const { return checked ? checked->error.squared_bias(image) : 0; }
   double squared_bias() const {
     if (maps.empty()) return bias_of_cache();
-    return bias.evidence(image, LookUpBias::all_maps, halves).squared_bias() + bias_of_cache();
+    return bias.evidence(image, GatherBias::all_maps, halves).squared_bias() + bias_of_cache();
   }
   /// What no more samples cure.
   double lasting_bias(const PhotonSettings& settings) const { return bias_of_cache() + bias_of_fixed_radii(settings); }
@@ -231,7 +231,7 @@ struct Lessons {
     const double after_next = halves.all_samples() * (1 + 1.0 / static_cast<double>(settings.parts_of_samples));
     for (MapState* map : maps) {
       map->radii.add_pass(samples, map->pass_photons);
-      const LookUpBias::Evidence evidence = bias.evidence(image, static_cast<int>(map->kind), halves);
+      const GatherBias::Evidence evidence = bias.evidence(image, static_cast<int>(map->kind), halves);
       choose_next_radius(*map, settings, evidence, halves, after_next);
     }
   }
@@ -241,12 +241,12 @@ struct Lessons {
 
 void plan_photon_mapper(const IntegratorDescription& description, Planner& planner) {
   const RenderJob& job = planner.job();
-  const ViewRow& view = view_row(job.view);
+  const AovRow& view = aov_row(job.view);
   const PhotonSettings settings(description, job);
   const int max_depth = settings.limits.max_depth;
   const SceneFacts& facts = planner.facts();
   const bool any_specular = facts.specular_surfaces > 0;
-  if (view.view != View::whole) planner.run("view", std::string(view.name) + ": " + view.shows);
+  if (view.view != Aov::whole) planner.run("view", std::string(view.name) + ": " + view.shows);
   plan_map(planner, Skip::global_map, "global photon map",
            photons_words(settings, job, settings.global_photons, settings.global_radius), view.global_map, max_depth,
            facts.diffuse_interreflection && settings.indirect != IndirectLight::path,
@@ -254,7 +254,7 @@ void plan_photon_mapper(const IntegratorDescription& description, Planner& plann
            : facts.diffuse_interreflection ? "path tracing finds its light, as asked for"
                                            : "no two diffuse surfaces see each other",
            "light goes from diffuse surface to diffuse surface");
-  if (view.view == View::cache_records) check_cache_is_there(planner);
+  if (view.view == Aov::cache_records) check_cache_is_there(planner);
   const bool caustics_shown = view.caustic_map || (view.global_map && settings.looks_further());
   plan_map(planner, Skip::caustic_map, "caustic photon map",
            photons_words(settings, job, settings.caustic_photons, settings.caustic_radius), caustics_shown, max_depth,
@@ -264,11 +264,11 @@ void plan_photon_mapper(const IntegratorDescription& description, Planner& plann
                              : "mirrors, glass or sharp highlights throw light on rough surfaces");
   if (!planner.plan().skips(Skip::caustic_map)) {
     const std::string surfaces = counted(facts.specular_surfaces, "specular surface", "specular surfaces");
-    planner.decide(Skip::stray_photons, any_specular && facts.specular_surfaces <= most_aim_targets,
+    planner.decide(Skip::stray_photons, any_specular && facts.specular_surfaces <= most_projection_targets,
                    surfaces + " to aim at",
-                   surfaces + ", at most " + std::to_string(most_aim_targets) + " can be aimed at");
+                   surfaces + ", at most " + std::to_string(most_projection_targets) + " can be aimed at");
   }
-  if (view.view == View::photons) {
+  if (view.view == Aov::photons) {
     planner.run("dots", "a shadow ray from every stored photon to the camera, no camera paths");
     planner.batches();
   } else {
@@ -279,18 +279,18 @@ void plan_photon_mapper(const IntegratorDescription& description, Planner& plann
 
 void render_photon_mapper(const Scene& scene, const RenderPlan& plan, const RenderJob& job, Film& film,
                           RenderStats& stats) {
-  const ViewRow& view = view_row(plan.view);
+  const AovRow& view = aov_row(plan.view);
   PhotonSettings settings(plan.method, job);
   const Threads threads(job.threads);
   const PhotonSource source{scene, settings, job, threads};
   PhotonMaps maps(plan, source);
   choose_way(source, maps, plan, film.window(), settings, stats);
   PassPlan passes = plan_passes(settings, maps);
-  if (plan.view == View::photons) return render_photon_dots(source, maps, passes, film, stats);
+  if (plan.view == Aov::photons) return render_photon_dots(source, maps, passes, film, stats);
   const bool caches = takes_cache(settings, maps);
   maps.choose_first_radii(source, stats);
   const std::vector<MapState*> wanted = maps.wanted();
-  std::optional<LookUpAreas> areas;
+  std::optional<GatherAreas> areas;
   if (!wanted.empty() || caches) {
     const PhaseTimer phase(stats.phases["build"]);
     areas.emplace(scene, threads);

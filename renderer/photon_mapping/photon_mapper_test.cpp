@@ -39,7 +39,7 @@ TEST(photon_mapper, a_single_plane_needs_no_map) {
 }
 
 TEST(photon_mapper, says_when_few_photons_arrive_where_the_camera_looks) {
-  // A lamp between two planes lights them; at (1000, 0, 0), between two others and behind a wall, nothing arrives.
+  // A light between two planes lights them; at (1000, 0, 0), between two others and behind a wall, nothing arrives.
   SceneDescription d = test::floor_under_point_light(16);
   const auto facing_down = [](double x) { return Transform::translate({x, 6, 0}) * Transform::rotate({1, 0, 0}, 90); };
   const auto facing_up = Transform::translate({1000, 0, 0}) * Transform::rotate({1, 0, 0}, -90);
@@ -59,7 +59,7 @@ TEST(photon_mapper, says_when_few_photons_arrive_where_the_camera_looks) {
   EXPECT_THAT(far.stats.losses, testing::ElementsAre(testing::HasSubstr("too few arrive where the camera looks")));
 }
 
-// Caustics are missed by most look-ups, however many photons there are: what is around photons tells.
+// Caustics are missed by most gathers, however many photons there are: what is around photons tells.
 TEST(photon_mapper, says_where_a_given_radius_of_caustics_is_too_narrow) {
   for (const IndirectLight indirect : {IndirectLight::map, IndirectLight::gather, IndirectLight::cache}) {
     const auto losses = [&](double radius) {
@@ -150,8 +150,8 @@ TEST(photon_mapper, says_that_fixed_radii_have_much_wrong_unless_an_error_is_ask
 
 TEST(photon_mapper, skipping_the_maps_of_a_plane_changes_nothing) {
   // With a second plane far away that faces the first the maps cannot be skipped, yet add next to nothing: E of the far
-  // plane is I/d^2 = 1e-4, of which its albedo and its solid angle over pi, 0.5 x 4/(pi 1e4), leave 6e-9 where the lamp
-  // gives 0.25. So the images differ by rounding alone.
+  // plane is I/d^2 = 1e-4, of which its albedo and its solid angle over pi, 0.5 x 4/(pi 1e4), leave 6e-9 where the
+  // light gives 0.25. So the images differ by rounding alone.
   const SceneDescription alone = test::floor_under_point_light(16);
   SceneDescription together = alone;
   test::add_shape(together, RectangleDescription{}, Transform::translate({0, 98, 0}) * Transform::rotate({1, 0, 0}, 90),
@@ -163,29 +163,29 @@ TEST(photon_mapper, skipping_the_maps_of_a_plane_changes_nothing) {
     EXPECT_NEAR(a.image.mean.rgb[i], b.image.mean.rgb[i], 1e-5f * a.image.mean.rgb[i]);
 }
 
-/// The room with the lamp unseen: its few bright pixels would carry most of the mean's noise.
-SceneDescription room_without_lamp_pixels(bool with_balls) {
+/// The room with the light unseen: its few bright pixels would carry most of the mean's noise.
+SceneDescription room_without_light_pixels(bool with_balls) {
   SceneDescription scene = test::room(32, with_balls);
   scene.integrator.method = PathDescription{-1, 5, true};
   return scene;
 }
 
 TEST(photon_mapper, diffuse_room_has_the_path_tracers_mean) {
-  const SceneDescription scene = room_without_lamp_pixels(false);
+  const SceneDescription scene = room_without_light_pixels(false);
   const double path = test::image_mean(render(scene, "path", job_with(256)).image.mean);
   const double photons = test::image_mean(render(scene, "photonmapper", job_with(32, 1'000'000)).image.mean);
   EXPECT_NEAR(photons, path, 0.005 * path);
 }
 
 TEST(photon_mapper, room_with_glass_and_mirror_has_the_path_tracers_mean) {
-  const SceneDescription scene = room_without_lamp_pixels(true);
+  const SceneDescription scene = room_without_light_pixels(true);
   const double path = test::image_mean(render(scene, "path", job_with(1024)).image.mean);
   const double photons = test::image_mean(render(scene, "photonmapper", job_with(32, 1'000'000)).image.mean);
   EXPECT_NEAR(photons, path, 0.015 * path);
 }
 
 // Between diffuse bounces in a sphere photons land evenly over it, wherever they come from. Of N paths in a furnace of
-// albedo 1/2 one photon each is stored on average, a look-up of radius r in a sphere of radius 1 finds a share r^2/4 of
+// albedo 1/2 one photon each is stored on average, a gather of radius r in a sphere of radius 1 finds a share r^2/4 of
 // them, and their number is Poisson's up to terms of that share: the indirect radiance, 1/2, has the relative variance
 // 1 / (N r^2/4). Emission and direct light are the same in every sample here.
 // 30 discs that do not overlap, seen by 40 seeds, leave 4 % of doubt about a spread of images (5 deviations are allowed

@@ -15,12 +15,12 @@
 namespace photonproof::inline renderer_photon_mapping {
 namespace {
 
-constexpr double photons_a_camera_path = 0.25;          // for each map: look-ups and paths take about as long then
+constexpr double photons_a_camera_path = 0.25;          // for each map: gathers and paths take about as long then
 constexpr std::int64_t fewest_photons_a_pass = 16'384;  // small images want their mean, too
 constexpr std::uint64_t pilot_photons = 20'000;
 constexpr double guessed_for = 1e6;  // photons, of MapState::photons_in_disc
 
-/// Of look-ups one bounce further, whose noise is averaged over many directions and whose bias is not. Of the radius
+/// Of gathers one bounce further, whose noise is averaged over many directions and whose bias is not. Of the radius
 /// that is best for them the passes' evidence says little: directions are most of its noise.
 constexpr double gathered_photons_in_disc = 100;
 
@@ -89,7 +89,7 @@ void say_if_wide(const MapState& map, const Scene& scene, RenderStats& stats) {
   const CameraView& camera = scene.view().camera;
   const double pixels = 1 / double{std::min(camera.inverse_width, camera.inverse_height)};
   const double across = pixels * double{median_pixel_footprint(scene)}, radius = double{map.radii.radius};
-  if (map.look_ups == 0 || !map.fixed_radius || !(radius > wide_part * across)) return;
+  if (map.gathers == 0 || !map.fixed_radius || !(radius > wide_part * across)) return;
   char text[200];
   std::snprintf(text, sizeof text,
                 "%s photons are looked up within %.3g, and what the image shows is some %.3g across: all shades of "
@@ -104,21 +104,21 @@ void say_if_few_arrive(const MapState& global, std::int64_t passes, RenderStats&
   const bool few_emitted = global.counts.emitted < few_photons_in_map;
   const double share = static_cast<double>(global.counts.stored) / static_cast<double>(global.counts.emitted);
   const bool matters = global.counts.stored >= few_photons_in_map || share > small_share;
-  const bool few_in_disc = global.look_ups > 0 && matters && in_disc < few_photons_in_disc;
+  const bool few_in_disc = global.gathers > 0 && matters && in_disc < few_photons_in_disc;
   if (!few_emitted && !few_in_disc) return;
   char text[160];
   std::snprintf(
       text, sizeof text,
-      "of %.3g photon%s %.2g are in the disc of a look-up: too few arrive where the camera looks for the error "
+      "of %.3g photon%s %.2g are in the disc of a gather: too few arrive where the camera looks for the error "
       "to be known",
       static_cast<double>(global.counts.emitted), global.counts.emitted == 1 ? "" : "s", in_disc);
   stats.losses.emplace_back(text);
 }
 
-/// Caustics are where their photons are, and most look-ups find none: of a radius that is given, what is around photons
+/// Caustics are where their photons are, and most gathers find none: of a radius that is given, what is around photons
 /// tells whether it is too narrow. One that is chosen here follows their density.
 void say_if_narrow(const MapState& caustic, const Scene& scene, RenderStats& stats) {
-  if (!caustic.fixed_radius || caustic.look_ups == 0 || caustic.counts.stored == 0 ||
+  if (!caustic.fixed_radius || caustic.gathers == 0 || caustic.counts.stored == 0 ||
       caustic.counts.around_one >= few_photons_in_disc)
     return;
   char text[200];
@@ -161,12 +161,12 @@ PhotonSettings::PhotonSettings(const IntegratorDescription& description, const R
     caustic_photons = photons->caustic_photons;
     global_radius = photons->global_radius;
     caustic_radius = photons->caustic_radius;
-    const ViewRow& view = view_row(job.view);
+    const AovRow& view = aov_row(job.view);
     const bool asks_for_maps = job.budget.photons || global_photons > 0 || caustic_photons > 0 || global_radius > 0 ||
                                caustic_radius > 0 || !view.made_from_all();
-    if (view.global_map && view.view != View::photons) indirect = photons->indirect;
+    if (view.global_map && view.view != Aov::photons) indirect = photons->indirect;
     if (indirect == IndirectLight::automatic && asks_for_maps) indirect = IndirectLight::map;
-    if (view.view == View::cache_records) indirect = IndirectLight::cache;
+    if (view.view == Aov::cache_records) indirect = IndirectLight::cache;
     cache_error = photons->cache_error;
     gather_rays = photons->gather_rays;
   } else {
@@ -176,7 +176,7 @@ PhotonSettings::PhotonSettings(const IntegratorDescription& description, const R
   }
 }
 
-void choose_next_radius(MapState& map, const PhotonSettings& settings, const LookUpBias::Evidence& evidence,
+void choose_next_radius(MapState& map, const PhotonSettings& settings, const GatherBias::Evidence& evidence,
                         const PassHalves& halves, double all_samples) {
   RadiusHistory& radii = map.radii;
   const double now = static_cast<double>(radii.radius);
@@ -203,8 +203,8 @@ int most_edges(const PhotonSettings& settings) {
   return settings.limits.max_depth >= 0 ? settings.limits.max_depth : std::numeric_limits<int>::max();
 }
 
-void look_up(const MapState& map, const PhotonSettings& settings, const LookUpAreas& areas,
-             const GatherKernelEntry& kernels, GatherQueue& queue) {
+void radiance_estimate(const MapState& map, const PhotonSettings& settings, const GatherAreas& areas,
+                       const GatherKernelEntry& kernels, GatherQueue& queue) {
   const GatherPoints points = queue.view();
   const std::vector<std::uint32_t> order = cell_order(map.map, queue);
   kernels.gather({map.map.view(), most_edges(settings), points, order.data(), map.tests.data()});

@@ -3,7 +3,7 @@
 //
 // A radius that is left open starts at a guess, what a small pilot run says of the photons' density, in proportion to
 // n^(-1/6) of the photons that will have been emitted. After some passes their own evidence takes over
-// (look_up_bias.h): the radius that makes variance and squared bias together least, which falls at least as fast.
+// (gather_bias.h): the radius that makes variance and squared bias together least, which falls at least as fast.
 #pragma once
 
 #include <algorithm>
@@ -16,8 +16,8 @@
 
 #include "renderer/kernels/tasks.h"
 #include "renderer/passes/render_job.h"
-#include "renderer/photon_mapping/look_up_area.h"
-#include "renderer/photon_mapping/look_up_bias.h"
+#include "renderer/photon_mapping/gather_area.h"
+#include "renderer/photon_mapping/gather_bias.h"
 #include "renderer/photon_mapping/photon_tracing.h"
 #include "renderer/photons/photon_map.h"
 #include "renderer/photons/photons.h"
@@ -43,7 +43,7 @@ struct PhotonSettings {
   IndirectLight indirect = IndirectLight::map;
   double cache_error = 0;
   std::int64_t gather_rays = 0;
-  /// As textbooks have it: every pass takes one sample a pixel and so many photons, each sample has its own look-ups,
+  /// As textbooks have it: every pass takes one sample a pixel and so many photons, each sample has its own gathers,
   /// and the radius shrinks by alpha, from the one that is given or the pilot's.
   struct Textbook {
     std::int64_t photons_a_pass;
@@ -51,7 +51,7 @@ struct PhotonSettings {
   };
   std::optional<Textbook> textbook{};
   /// A pass takes one of so many parts of the samples before it: few enough passes for samples of a pixel to share
-  /// their look-ups, enough for their spread to give a variance, and none that depends on where the render will end.
+  /// their gathers, enough for their spread to give a variance, and none that depends on where the render will end.
   /// Measured on course-1 at 600x600: a quarter takes 1.3 times as long to the same error.
   std::int64_t parts_of_samples = 2;
 
@@ -78,17 +78,17 @@ struct MapState {
   RadiusHistory radii{};
   std::vector<SheetTest> tests{};  ///< by surface
   PhotonCounts counts{};
-  double pass_photons = 0;                           ///< emitted in this pass
-  std::atomic<std::uint64_t> look_ups{0}, found{0};  ///< photons, by all look-ups of all passes
+  double pass_photons = 0;                          ///< emitted in this pass
+  std::atomic<std::uint64_t> gathers{0}, found{0};  ///< photons, by all gathers of all passes
   PhotonMap map{};
 
   void count_found(const GatherPoints& points) {
     found += std::accumulate(points.found, points.found + points.count, std::uint64_t{0});
-    look_ups += points.count;
+    gathers += points.count;
   }
-  /// In the disc of a look-up, over the whole render: each pass has a part of the photons.
+  /// In the disc of a gather, over the whole render: each pass has a part of the photons.
   double in_disc(std::int64_t passes) const {
-    return static_cast<double>(found) / static_cast<double>(std::max<std::uint64_t>(1, look_ups)) *
+    return static_cast<double>(found) / static_cast<double>(std::max<std::uint64_t>(1, gathers)) *
            static_cast<double>(passes);
   }
 };
@@ -132,8 +132,8 @@ std::uint64_t refill(MapState& map, const PhotonSource& source, std::int64_t fir
 int most_edges(const PhotonSettings& settings);
 
 /// Finds the photons within the radius of every point, and the area they are to be divided by.
-void look_up(const MapState& map, const PhotonSettings& settings, const LookUpAreas& areas,
-             const GatherKernelEntry& kernels, GatherQueue& queue);
+void radiance_estimate(const MapState& map, const PhotonSettings& settings, const GatherAreas& areas,
+                       const GatherKernelEntry& kernels, GatherQueue& queue);
 
 /// Of camera paths to where photons are looked up.
 PathSettings camera_path_settings(const PhotonSettings& settings, const RenderPlan& plan);
@@ -150,7 +150,7 @@ double shrunk(double times);
 
 /// Decides the map's radius for the next pass, that ends at sample `all_samples` of a pixel, from what the passes so
 /// far showed.
-void choose_next_radius(MapState& map, const PhotonSettings& settings, const LookUpBias::Evidence& evidence,
+void choose_next_radius(MapState& map, const PhotonSettings& settings, const GatherBias::Evidence& evidence,
                         const PassHalves& halves, double all_samples);
 
 }  // namespace photonproof::inline renderer_photon_mapping

@@ -1,4 +1,4 @@
-// Guesses the look-up radius of a photon map from a small pilot run.
+// Guesses the gather radius of a photon map from a small pilot run.
 #pragma once
 
 #include "renderer/photon_mapping/photon_tracing.h"

@@ -5,13 +5,13 @@
 #include <cstdint>
 
 #include "renderer/core/columns.h"
-#include "renderer/photons/photon_sheet.h"
 #include "renderer/photons/rough_photon.h"
+#include "renderer/photons/surface_side.h"
 #include "scenes/base/vec.h"
 
 namespace photonproof::inline renderer_photons {
 
-/// The number of a surface, below bits of what photons and look-ups must have in common: three of which normals maps
+/// The number of a surface, below bits of what photons and gathers must have in common: three of which normals maps
 /// show (MappedNormals), and whether they are of a rough part (rough_photon.h).
 struct PhotonSurface {
   static constexpr int number_bits = 28;
@@ -20,10 +20,10 @@ struct PhotonSurface {
 
 template <template <class> class Column>
 struct PhotonColumns {
-  Column<float> x, y, z;           ///< position, world
-  Column<float> red, green, blue;  ///< flux, W
-  Column<std::uint32_t> surface;   ///< PhotonSurface: index into Scene::surfaces
-  Column<std::uint32_t> sheet;     ///< with the path's edges from the light to here (photon_sheet.h)
+  Column<float> x, y, z;               ///< position, world
+  Column<float> red, green, blue;      ///< flux, W
+  Column<std::uint32_t> surface;       ///< PhotonSurface: index into Scene::surfaces
+  Column<std::uint32_t> surface_side;  ///< with the path's edges from the light to here (photon_sheet.h)
 };
 
 /// Calls f with one column after the other of all records.
@@ -31,7 +31,7 @@ template <class F, class... Records>
 constexpr void zip_photons(const F& f, Records&... records) {
   f(records.x...), f(records.y...), f(records.z...);
   f(records.red...), f(records.green...), f(records.blue...);
-  f(records.surface...), f(records.sheet...);
+  f(records.surface...), f(records.surface_side...);
 }
 static_assert(columns_visited<PhotonColumns<OneValue>>([](const auto& f, auto& row) { zip_photons(f, row); }) ==
               sizeof(PhotonColumns<OneValue>) / 4);
@@ -39,10 +39,10 @@ static_assert(columns_visited<PhotonColumns<OneValue>>([](const auto& f, auto& r
 /// A photon by itself.
 struct Photon {
   Vec3f p_world;
-  Rgb flux;                   ///< W
-  std::uint32_t surface = 0;  ///< where it landed: PhotonSurface
-  std::int32_t edges = 0;     ///< path edges from the light to here; PhotonSheet::most_edges where there are more
-  std::uint32_t sheet = 0;    ///< sheet_word
+  Rgb flux;                        ///< W
+  std::uint32_t surface = 0;       ///< where it landed: PhotonSurface
+  std::int32_t edges = 0;          ///< path edges from the light to here; SurfaceSide::most_edges where there are more
+  std::uint32_t surface_side = 0;  ///< side_word
 };
 
 inline Photon photon_of(const PhotonColumns<OneValue>& row) {
@@ -51,15 +51,15 @@ inline Photon photon_of(const PhotonColumns<OneValue>& row) {
           is_rough ? flux_of_rough_photon<float>({row.red, to_word(row.green), to_word(row.blue)})
                    : Rgb{row.red, row.green, row.blue},
           row.surface,
-          static_cast<std::int32_t>(row.sheet >> PhotonSheet::edges_shift),
-          row.sheet & PhotonSheet::mask};
+          static_cast<std::int32_t>(row.surface_side >> SurfaceSide::edges_shift),
+          row.surface_side & SurfaceSide::mask};
 }
 
 inline PhotonColumns<OneValue> row_of(const Photon& photon) {
   return {photon.p_world.x, photon.p_world.y,
           photon.p_world.z, photon.flux.x,
           photon.flux.y,    photon.flux.z,
-          photon.surface,   with_edges<float>(photon.sheet, static_cast<std::uint32_t>(photon.edges))};
+          photon.surface,   with_edges<float>(photon.surface_side, static_cast<std::uint32_t>(photon.edges))};
 }
 
 }  // namespace photonproof::inline renderer_photons

@@ -18,12 +18,12 @@ struct GatheredFlux {
   std::int32_t count = 0;
 };
 
-/// Photons that landed on `surface` after at most `max_edges` edges, on the point's sheet as far as `test` asks.
+/// Photons that landed on `surface` after at most `max_edges` edges, on the point's surface side as far as `test` asks.
 struct PhotonFilter {
   std::uint32_t surface;
   std::int32_t max_edges;
   SheetTest test = SheetTest::none;
-  std::uint32_t sheet = 0;
+  std::uint32_t surface_side = 0;
 };
 
 namespace gathering {
@@ -62,29 +62,29 @@ struct Look {
         radius2(radius * radius),
         height(sheet_height * radius),
         surface(static_cast<std::int32_t>(filter.surface)),
-        side(static_cast<std::int32_t>(filter.sheet & PhotonSheet::from_behind)) {
-    if constexpr (test == SheetTest::side_and_normal) normal = unit_sheet_normal(filter.sheet);
+        side(static_cast<std::int32_t>(filter.surface_side & SurfaceSide::from_behind)) {
+    if constexpr (test == SheetTest::side_and_normal) normal = unit_side_normal(filter.surface_side);
     // Edges are a word's highest bits: words up to this one have few enough.
-    constexpr std::int32_t most = PhotonSheet::most_edges;
+    constexpr std::int32_t most = SurfaceSide::most_edges;
     const std::int32_t edges = filter.max_edges < most ? filter.max_edges : most;
-    last_word = edges < 0 ? -1 : edges * (1 << PhotonSheet::edges_shift) + static_cast<std::int32_t>(PhotonSheet::mask);
+    last_word = edges < 0 ? -1 : edges * (1 << SurfaceSide::edges_shift) + static_cast<std::int32_t>(SurfaceSide::mask);
   }
 
   /// Which of the photons from `at` on count.
   PHOTONPROOF_ALWAYS_INLINE Ints counts(const PhotonView& map, std::size_t at) const {
     const Floats dx = load<Floats>(map.x + at) - p.x, dy = load<Floats>(map.y + at) - p.y,
                  dz = load<Floats>(map.z + at) - p.z;
-    const Ints landed_on = load<Ints>(map.surface + at), sheet = load<Ints>(map.sheet + at);
-    Ints counted = (dx * dx + dy * dy + dz * dz <= radius2) & (landed_on == surface) & (sheet <= last_word);
+    const Ints landed_on = load<Ints>(map.surface + at), surface_side = load<Ints>(map.surface_side + at);
+    Ints counted = (dx * dx + dy * dy + dz * dz <= radius2) & (landed_on == surface) & (surface_side <= last_word);
     if constexpr (test != SheetTest::none) {
-      counted &= (sheet & static_cast<std::int32_t>(PhotonSheet::from_behind)) == side;
+      counted &= (surface_side & static_cast<std::int32_t>(SurfaceSide::from_behind)) == side;
     }
     if constexpr (test == SheetTest::side_and_normal) {
       const auto to_floats = [](const Ints& words)
                                  PHOTONPROOF_INLINE_LAMBDA { return __builtin_convertvector(words, Floats); };
-      const SheetNormal<Floats> n = sheet_normal<Floats>(sheet, to_floats);
+      const SideNormal<Floats> n = side_normal<Floats>(surface_side, to_floats);
       const Floats cosine = n.x * normal.x + n.y * normal.y + n.z * normal.z;
-      const Floats least = (n.x * n.x + n.y * n.y + n.z * n.z) * (least_sheet_cosine * least_sheet_cosine);
+      const Floats least = (n.x * n.x + n.y * n.y + n.z * n.z) * (least_side_cosine * least_side_cosine);
       const Floats above = dx * normal.x + dy * normal.y + dz * normal.z;
       counted &= (cosine > 0.0f) & (cosine * cosine >= least) & (above <= height) & (above >= -height);
     }

@@ -13,7 +13,7 @@ namespace {
 constexpr double most_cells_along = 1 << 21;  // a cell's index is exact in floats, its key fits 63 bits
 
 /// Photons lie on surfaces, so most cells of a grid are empty; beyond this the array costs more memory and build time
-/// than the photons. There they are also sparse, and look-ups take their time for finding cells: wider ones, of which a
+/// than the photons. There they are also sparse, and gathers take their time for finding cells: wider ones, of which a
 /// ball touches 4 rows and not 9, are the faster (photon_map_bench).
 double most_dense_cells(std::size_t photons) { return 8.0 * static_cast<double>(photons) + 262144; }
 

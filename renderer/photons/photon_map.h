@@ -39,7 +39,7 @@ class PhotonMap {
   PhotonView view() const;
   Photon operator[](std::size_t i) const { return photons_[i]; }
 
-  /// PhotonView's look-ups, for callers who make few.
+  /// PhotonView's gathers, for callers who make few.
   template <class Visit>
   void for_each_run(const Vec3f& p, float radius, Visit&& visit) const {
     view().for_each_run(p, radius, visit);

@@ -65,7 +65,7 @@ struct Cloud {
 };
 using Tree = nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<float, Cloud>, Cloud, 3>;
 const nanoflann::KDTreeSingleIndexAdaptorParams tree_parameters(
-    20);  // its best: random look-ups take a tenth to a quarter longer with its default, 10
+    20);  // its best: random gathers take a tenth to a quarter longer with its default, 10
 
 struct Sum {
   using DistanceType = float;
@@ -102,7 +102,7 @@ struct Queries {
 };
 
 /// Made once for each number of photons.
-struct World {
+struct SceneInterface {
   Photons photons;
   Cloud cloud;
   float radius;
@@ -111,7 +111,7 @@ struct World {
   PhotonMap map, compact;
   PhotonKdTree kdtree;
 
-  explicit World(std::int64_t count)
+  explicit SceneInterface(std::int64_t count)
       : radius(
             static_cast<float>(std::sqrt(photons_in_disc * area / (std::numbers::pi * static_cast<double>(count))))) {
     for (std::int64_t i = 0; i < count; ++i) {
@@ -144,10 +144,10 @@ struct World {
   }
 };
 
-const World& world(std::int64_t count) {
-  static std::map<std::int64_t, std::unique_ptr<World>> made;
+const SceneInterface& world(std::int64_t count) {
+  static std::map<std::int64_t, std::unique_ptr<SceneInterface>> made;
   auto& slot = made[count];
-  if (!slot) slot = std::make_unique<World>(count);
+  if (!slot) slot = std::make_unique<SceneInterface>(count);
   return *slot;
 }
 
@@ -165,7 +165,7 @@ void build_and_time(benchmark::State& state, PhotonMap& map, const Photons& phot
 }
 
 void build_ours(benchmark::State& state, int thread_count) {
-  const World& w = world(state.range(0));
+  const SceneInterface& w = world(state.range(0));
   const Threads threads(thread_count);
   PhotonMap map;
   for (auto _ : state) build_and_time(state, map, w.photons, w.radius, threads);
@@ -173,7 +173,7 @@ void build_ours(benchmark::State& state, int thread_count) {
 }
 
 void build_compact(benchmark::State& state) {
-  const World& w = world(state.range(0));
+  const SceneInterface& w = world(state.range(0));
   const Threads threads(1);
   PhotonMap map;
   for (auto _ : state) build_and_time(state, map, w.photons, w.radius / sparse_by, threads);
@@ -181,7 +181,7 @@ void build_compact(benchmark::State& state) {
 }
 
 void build_tree(benchmark::State& state, int thread_count) {
-  const World& w = world(state.range(0));
+  const SceneInterface& w = world(state.range(0));
   const Threads threads(thread_count);
   for (auto _ : state) {
     PhotonKdTree tree(w.photons, threads);
@@ -191,7 +191,7 @@ void build_tree(benchmark::State& state, int thread_count) {
 }
 
 void build_nanoflann(benchmark::State& state) {
-  const World& w = world(state.range(0));
+  const SceneInterface& w = world(state.range(0));
   for (auto _ : state) {
     Tree tree(3, w.cloud, tree_parameters);
     Tree* built = &tree;
@@ -213,7 +213,8 @@ std::vector<std::uint32_t> order_given(std::size_t count) {
 }
 
 /// As the photon mapper does it: by the kernel of the processor's best instruction set.
-void look_up(benchmark::State& state, const PhotonMap& map, const Queries& queries, float radius, bool sorted) {
+void radiance_estimate(benchmark::State& state, const PhotonMap& map, const Queries& queries, float radius,
+                       bool sorted) {
   GatherQueue points = gather_points(queries);
   const GatherPoints view = points.view();
   std::fill_n(view.radius, view.count, radius);
@@ -231,8 +232,8 @@ void look_up(benchmark::State& state, const PhotonMap& map, const Queries& queri
 }
 
 /// Sorted: by the cells of our map, which the time includes, as it does of ours.
-void look_up_nanoflann(benchmark::State& state, const World& w, const PhotonMap& map, const Queries& queries,
-                       float radius, bool sorted) {
+void gather_nanoflann(benchmark::State& state, const SceneInterface& w, const PhotonMap& map, const Queries& queries,
+                      float radius, bool sorted) {
   const GatherQueue points = gather_points(queries);
   std::vector<std::uint32_t> order = order_given(points.size());
   double found = 0;
@@ -258,7 +259,7 @@ void nearest(benchmark::State& state, const Queries& queries, const Nearest& fin
   state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(queries.size()));
 }
 
-void nearest_ours(benchmark::State& state, const World& w, const Queries& queries) {
+void nearest_ours(benchmark::State& state, const SceneInterface& w, const Queries& queries) {
   std::array<PhotonKdTree::Neighbour, photons_in_disc> found;
   nearest(state, queries, [&](const Vec3f& p) {
     benchmark::DoNotOptimize(w.kdtree.nearest(p, std::numeric_limits<float>::max(), found));
@@ -266,7 +267,7 @@ void nearest_ours(benchmark::State& state, const World& w, const Queries& querie
   });
 }
 
-void nearest_nanoflann(benchmark::State& state, const World& w, const Queries& queries) {
+void nearest_nanoflann(benchmark::State& state, const SceneInterface& w, const Queries& queries) {
   std::array<std::uint32_t, photons_in_disc> found;
   std::array<float, photons_in_disc> distances;
   nearest(state, queries, [&](const Vec3f& p) {
@@ -290,29 +291,31 @@ void register_all() {
     add("photon_tree_build/ours_all_threads", [](benchmark::State& s) { build_tree(s, 0); });
     add("photon_tree_build/nanoflann", build_nanoflann);
     for (const bool coherent : {true, false}) {
-      const auto queries = [coherent](const World& w) -> const Queries& { return coherent ? w.coherent : w.random; };
+      const auto queries = [coherent](const SceneInterface& w) -> const Queries& {
+        return coherent ? w.coherent : w.random;
+      };
       const std::string how = coherent ? "_coherent" : "_random";
       for (const bool sparse : {false, true}) {
         const std::string task = "photon_look_up" + std::string(sparse ? "_sparse" : "") + how;
-        const auto radius = [sparse](const World& w) { return sparse ? w.radius / sparse_by : w.radius; };
+        const auto radius = [sparse](const SceneInterface& w) { return sparse ? w.radius / sparse_by : w.radius; };
         for (const bool sorted : {false, true}) {
-          const auto map = [sparse](const World& w) -> const PhotonMap& { return sparse ? w.compact : w.map; };
+          const auto map = [sparse](const SceneInterface& w) -> const PhotonMap& { return sparse ? w.compact : w.map; };
           add(task + (sorted ? "/ours_sorted" : "/ours"), [=](benchmark::State& s) {
-            const World& w = world(s.range(0));
-            look_up(s, map(w), queries(w), radius(w), sorted);
+            const SceneInterface& w = world(s.range(0));
+            radiance_estimate(s, map(w), queries(w), radius(w), sorted);
           });
           add(task + (sorted ? "/nanoflann_sorted" : "/nanoflann"), [=](benchmark::State& s) {
-            const World& w = world(s.range(0));
-            look_up_nanoflann(s, w, map(w), queries(w), radius(w), sorted);
+            const SceneInterface& w = world(s.range(0));
+            gather_nanoflann(s, w, map(w), queries(w), radius(w), sorted);
           });
         }
       }
       add("photon_nearest" + how + "/ours", [=](benchmark::State& s) {
-        const World& w = world(s.range(0));
+        const SceneInterface& w = world(s.range(0));
         nearest_ours(s, w, queries(w));
       });
       add("photon_nearest" + how + "/nanoflann", [=](benchmark::State& s) {
-        const World& w = world(s.range(0));
+        const SceneInterface& w = world(s.range(0));
         nearest_nanoflann(s, w, queries(w));
       });
     }

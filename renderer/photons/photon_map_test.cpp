@@ -16,7 +16,7 @@ namespace {
 
 using Layout = PhotonMap::Layout;
 
-/// How often a look-up visits each photon of make_cloud.
+/// How often a gather visits each photon of make_cloud.
 std::vector<std::uint8_t> found_by(const PhotonMap& map, const Vec3f& p, float radius) {
   std::vector<std::uint8_t> visits(map.size());
   map.for_each_within(p, radius, [&](std::size_t i) { ++visits[map[i].surface]; });

@@ -1,4 +1,4 @@
-// A photon map as plain pointers: what look-ups need, valid while the map lives. Nothing here is emitted out of line
+// A photon map as plain pointers: what gathers need, valid while the map lives. Nothing here is emitted out of line
 // (always_inline.h), so kernels for several instruction sets can include it.
 #pragma once
 
@@ -41,7 +41,7 @@ struct PhotonView : PhotonColumns<ConstPointer> {
     }
   }
 
-  /// Squared distance as every look-up evaluates it: single precision, no fused operations, x and y first.
+  /// Squared distance as every gather evaluates it: single precision, no fused operations, x and y first.
   PHOTONPROOF_ALWAYS_INLINE float distance_squared(std::size_t i, const Vec3f& p) const {
     const float dx = x[i] - p.x, dy = y[i] - p.y, dz = z[i] - p.z;
     return dx * dx + dy * dy + dz * dz;

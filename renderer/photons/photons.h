@@ -6,7 +6,7 @@
 
 #include "renderer/core/large_array.h"
 #include "renderer/photons/photon_columns.h"
-#include "renderer/photons/photon_sheet.h"
+#include "renderer/photons/surface_side.h"
 #include "scenes/base/vec.h"
 
 namespace photonproof::inline renderer_photons {

@@ -1,13 +1,13 @@
 // Photons on rough parts of BSDFs (rough_part.h) are looked up by the direction they came from. It stands, 2 x 16 bits,
 // where others have their blue, and the colour where those have red and green: its largest channel and, 3 x 10 bits,
 // what the channels have of that one, at most 0.05 % of it off. So a photon has 32 bytes whatever it landed on. Their
-// surface's number bears PhotonSurface::rough, by which no other look-up counts them.
+// surface's number bears PhotonSurface::rough, by which no other gather counts them.
 #pragma once
 
 #include <cstdint>
 
 #include "renderer/lanes/warp.h"
-#include "renderer/photons/photon_sheet.h"
+#include "renderer/photons/surface_side.h"
 
 namespace photonproof::inline renderer_photons {
 

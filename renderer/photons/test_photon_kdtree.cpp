@@ -64,7 +64,7 @@ class Candidates {
   }
   void keep_the_best() {
     // Quickselect (Hoare 1961) whose partition has no branches: with keys this few, std::nth_element took half of all
-    // the time of a look-up, most of it mispredicted. Keys are distinct, so of three or more some are below the median
+    // the time of a gather, most of it mispredicted. Keys are distinct, so of three or more some are below the median
     // of three and some are not.
     std::size_t begin = 0, end = count_;  // of the part the wanted-th key is in
     while (end - begin > 2) {

@@ -45,18 +45,18 @@ bool whitted_finds(const LightRoute& route) {
 }
 
 constexpr std::string_view thrown =
-    "light of lamps without size that mirrors, glass, clear coats or holes send on (caustics)";
+    "light of lights without size that mirrors, glass, clear coats or holes send on (caustics)";
 constexpr std::string_view thrown_on_sharp =
-    "light of lamps without size that mirrors, glass or clear coats send onto sharp highlights or rough glass";
+    "light of lights without size that mirrors, glass or clear coats send onto sharp highlights or rough glass";
 
 constexpr LightFinder finders[] = {
     {"path", path_finds, true, true, thrown},
     {"bdpt", bdpt_finds, true, true,
-     "caustics of lamps without size where the camera sees them in mirrors, glass, clear coats or through holes"},
+     "caustics of lights without size where the camera sees them in mirrors, glass, clear coats or through holes"},
     {"photonmapper", photon_mapper_finds, true, true, thrown_on_sharp},
     {"sppm", photon_mapper_finds, true, true, thrown_on_sharp},
     {"volpath", volpath_finds, true, true,
-     "light of lamps without size that mirrors, glass or clear coats send on (caustics)"},
+     "light of lights without size that mirrors, glass or clear coats send on (caustics)"},
     {"ptracer", ptracer_finds, false, true, "what the camera sees in mirrors, glass, clear coats or through holes"},
     {"whitted", whitted_finds, false, false, "light that surfaces throw on each other (interreflection and caustics)"},
     {"direct", direct_finds, false, false, "light that is reflected or refracted more than once"},

@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "renderer/core/skips.h"
+#include "renderer/passes/aov.h"
 #include "renderer/passes/lost_light.h"
-#include "renderer/passes/view.h"
 #include "renderer/scene/scene_choices.h"
 #include "scenes/description/description.h"
 
@@ -26,7 +26,7 @@ struct PlanStep {
 struct RenderPlan {
   IntegratorDescription method;
   std::string integrator;
-  View view = View::whole;
+  Aov view = Aov::whole;
   std::string isa;
   unsigned lanes = 1;
   SceneChoices scene;  ///< of what the scene has to be built

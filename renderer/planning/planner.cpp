@@ -21,7 +21,7 @@ Planner::Planner(const SceneFacts& facts, const RenderJob& job, std::size_t smal
       surface_detail_(decided(Skip::surface_detail, facts.all_plain,
                               "no textures, shading normals, tangents or nested BSDFs",
                               "there are textures, shading normals, tangents or nested BSDFs")),
-      light_choice_(decided(Skip::light_choice, facts.lights <= 1, lights(facts), lights(facts))),
+      light_sampling_(decided(Skip::light_sampling, facts.lights <= 1, lights(facts), lights(facts))),
       far_lights_(decided(Skip::far_lights, facts.many_lights,
                           lights(facts) + ", chosen by a tree over where they are and shine to",
                           lights(facts) + ", chosen by their flux")),
@@ -29,7 +29,7 @@ Planner::Planner(const SceneFacts& facts, const RenderJob& job, std::size_t smal
   plan_.scene.small = bvh_.skipped;
   plan_.scene.one_bsdf_kind = bsdf_groups_.skipped;
   plan_.scene.detailed = !surface_detail_.skipped;
-  plan_.scene.one_light = light_choice_.skipped;
+  plan_.scene.one_light = light_sampling_.skipped;
   plan_.scene.lights_by_position = far_lights_.skipped;
   plan_.scene.dark_shadow_rays = !shadow_rays_.skipped;
 }
@@ -57,7 +57,7 @@ void Planner::rays_one_by_one() {
 }
 
 void Planner::direct_light(bool weighted_by_method) {
-  list(light_choice_);
+  list(light_sampling_);
   if (facts_.lights > 1) list(far_lights_);
   list(shadow_rays_);
   if (weighted_by_method)

@@ -14,10 +14,10 @@ namespace photonproof::inline renderer_planning {
 /// Up to this many primitives are tested one after the other instead of through Embree. Measured among random
 /// parallelograms (rays_bench.cpp, "threshold"): at 128 the packed kernel is 1.8, 1.4 and 0.9 times as fast with 16, 8
 /// and 4 lanes, and Embree does better than there where primitives do not overlap.
-inline constexpr std::size_t small_scene_limit = 128;
+inline constexpr std::size_t brute_force_limit = 128;
 /// The same for integrators that trace one ray at a time: bdpt on `cornell` (12 parallelograms) is 1.4 times as fast
 /// through Embree, on `cornell-spheres` (8 primitives) as fast.
-inline constexpr std::size_t small_scene_limit_of_single_rays = 8;
+inline constexpr std::size_t brute_force_limit_of_single_rays = 8;
 
 class Planner {
  public:
@@ -36,7 +36,7 @@ class Planner {
 
   /// Rays of the kernels, and what they shade with.
   void batches();
-  /// Rays of integrators that follow one history at a time.
+  /// Rays of integrators that follow one path at a time.
   void rays_one_by_one();
   /// Next-event estimation by the kernels, weighted against rays that meet lights where the method has both.
   void direct_light(bool weighted_by_method);
@@ -53,7 +53,7 @@ class Planner {
   const SceneFacts& facts_;
   const RenderJob& job_;
   RenderPlan plan_;
-  const Decision bvh_, bsdf_groups_, surface_detail_, light_choice_, far_lights_, shadow_rays_;  ///< of plan_.scene
+  const Decision bvh_, bsdf_groups_, surface_detail_, light_sampling_, far_lights_, shadow_rays_;  ///< of plan_.scene
 };
 
 }  // namespace photonproof::inline renderer_planning

@@ -5,7 +5,7 @@
 #include <bit>
 #include <variant>
 
-#include "renderer/light_choice/scene_lights.h"
+#include "renderer/light_sampling/scene_lights.h"
 
 namespace photonproof::inline renderer_planning {
 namespace {

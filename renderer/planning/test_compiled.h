@@ -8,7 +8,7 @@ namespace photonproof::test {
 
 /// At most `small_limit` primitives make a small scene.
 inline Scene compiled(const SceneDescription& description, int width, int height, const SkipSwitches& skips = {},
-                      std::size_t small_limit = small_scene_limit) {
+                      std::size_t small_limit = brute_force_limit) {
   SceneParts parts(description, width, height);
   RenderJob job;
   job.skips = skips;

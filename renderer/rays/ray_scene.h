@@ -29,7 +29,7 @@ struct Ball {
 };
 
 /// Primitives in one list: parallelograms, then triangles, then spheres; `surface` maps them to surfaces.
-struct SmallSceneView {
+struct BruteForceView {
   const Plate* plates = nullptr;
   const Ball* balls = nullptr;
   const std::uint32_t* surface = nullptr;
@@ -38,7 +38,7 @@ struct SmallSceneView {
 
 struct RayScene {
   bool small = false;  ///< `primitives` holds everything, `tracer` is not needed
-  SmallSceneView primitives;
+  BruteForceView primitives;
   const Tracer* tracer = nullptr;
 };
 

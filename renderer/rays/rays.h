@@ -1,13 +1,13 @@
 // Ray queries of a pack: the small scene's kernel or Embree.
 #pragma once
 
-#include "renderer/rays/small_scene.h"
+#include "renderer/rays/brute_force_intersector.h"
 #include "renderer/rays/trace.h"
 
 namespace photonproof::inline renderer_rays {
 
 template <class F>
-void fill_block(RayBlock& block, const Vec3<F>& origin, const Vec3<F>& direction, const UInt<F>& lamp,
+void fill_block(RayBlock& block, const Vec3<F>& origin, const Vec3<F>& direction, const UInt<F>& light,
                 const Mask<F>& active) {
   store_from(origin.x, block.origin_x);
   store_from(origin.y, block.origin_y);
@@ -15,11 +15,11 @@ void fill_block(RayBlock& block, const Vec3<F>& origin, const Vec3<F>& direction
   store_from(direction.x, block.direction_x);
   store_from(direction.y, block.direction_y);
   store_from(direction.z, block.direction_z);
-  store_from(lamp, block.lamp);
+  store_from(light, block.light);
   block.active = to_bits(active);
 }
 
-/// Closest hits of the active lanes; directions are unit. `from`: as small_scene.h has it, with a tracer the lamp that
+/// Closest hits of the active lanes; directions are unit. `from`: as brute_force.h has it, with a tracer the light that
 /// they leave (ray.h). `coherent`: neighbours in the pack go the same way.
 template <class F>
 SurfaceHit<F> closest_hit(const RayScene& scene, const Vec3<F>& origin, const Vec3<F>& direction, const UInt<F>& from,
@@ -58,8 +58,8 @@ Mask<F> occluded(const RayScene& scene, const Vec3<F>& origin, const Vec3<F>& se
   if (scene.small) return active && occluded_small(scene.primitives, origin, segment, from, target);
   RayBlock rays;
   if constexpr (lane_count < F >> 1) rays = {};
-  const Mask<F> to_lamp = as_mask<F>(UInt<F>(target - lamp_face) < UInt<F>(lamp_at_end));
-  fill_block(rays, origin, segment, UInt<F>(select(to_lamp, target | lamp_at_end, from)), active);
+  const Mask<F> to_light = as_mask<F>(UInt<F>(target - light_face) < UInt<F>(light_at_end));
+  fill_block(rays, origin, segment, UInt<F>(select(to_light, target | light_at_end, from)), active);
   std::uint32_t blocked[RayBlock::width];
   scene.tracer->occluded(rays, blocked);
   UInt<F> words;

@@ -39,16 +39,16 @@ struct SurfacePoint {
   std::uint32_t primitive = 0;
 };
 
-/// As a shape is asked, which may be this lamp's face.
-ShapeRay shape_ray(const RTCRay& ray, std::uint32_t lamp = no_index) {
-  const bool on_lamp = (ray.id & ~lamp_at_end) == lamp, at_end = (ray.id & lamp_at_end) != 0;
+/// As a shape is asked, which may be this light's face.
+ShapeRay shape_ray(const RTCRay& ray, std::uint32_t light = no_index) {
+  const bool on_light = (ray.id & ~light_at_end) == light, at_end = (ray.id & light_at_end) != 0;
   return {{ray.org_x, ray.org_y, ray.org_z},
           {ray.dir_x, ray.dir_y, ray.dir_z},
           ray.tnear,
           ray.tfar,
-          !on_lamp ? OnLamp::no
-          : at_end ? OnLamp::ends
-                   : OnLamp::starts};
+          !on_light ? OnLight::no
+          : at_end  ? OnLight::ends
+                    : OnLight::starts};
 }
 
 template <class Shape>
@@ -75,7 +75,7 @@ void intersect_callback(const RTCIntersectFunctionNArguments* args) {
   for (unsigned i = 0; i < args->N; ++i) {
     if (args->valid[i] == 0) continue;
     const RTCRay ray = rtcGetRayFromRayN(rays, args->N, i);
-    const double t = hit_distance(*table.shapes[args->primID], shape_ray(ray, table.lamp[args->primID]));
+    const double t = hit_distance(*table.shapes[args->primID], shape_ray(ray, table.light[args->primID]));
     if (t < 0) continue;
     RTCRayN_tfar(rays, args->N, i) = static_cast<float>(t);
     RTCHitN_geomID(hits, args->N, i) = args->geomID;
@@ -90,7 +90,7 @@ void occluded_callback(const RTCOccludedFunctionNArguments* args) {
   for (unsigned i = 0; i < args->N; ++i) {
     if (args->valid[i] == 0) continue;
     const RTCRay ray = rtcGetRayFromRayN(args->ray, args->N, i);
-    if (hit_distance(*table.shapes[args->primID], shape_ray(ray, table.lamp[args->primID])) >= 0)
+    if (hit_distance(*table.shapes[args->primID], shape_ray(ray, table.light[args->primID])) >= 0)
       RTCRayN_tfar(args->ray, args->N, i) = -std::numeric_limits<float>::infinity();
   }
 }
@@ -118,7 +118,7 @@ RTCRay ray_of_lane(const RayBlock& rays, std::size_t i, float t_far) {
           .time = 0,
           .tfar = t_far,
           .mask = 0xFFFFFFFFu,
-          .id = rays.lamp[i],
+          .id = rays.light[i],
           .flags = 0};
 }
 
@@ -164,7 +164,7 @@ RayPacket packet_of(const RayBlock& rays, std::uint32_t lanes) {
     query.ray.time[i] = 0;
     query.ray.tfar[i] = std::numeric_limits<float>::infinity();
     query.ray.mask[i] = 0xFFFFFFFFu;
-    query.ray.id[i] = rays.lamp[i];
+    query.ray.id[i] = rays.light[i];
     query.ray.flags[i] = 0;
     query.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
     query.hit.instID[0][i] = RTC_INVALID_GEOMETRY_ID;

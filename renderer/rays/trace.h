@@ -15,8 +15,8 @@ struct alignas(64) RayBlock {
   static constexpr std::size_t width = 16;
   float origin_x[width], origin_y[width], origin_z[width];
   float direction_x[width], direction_y[width], direction_z[width];
-  std::uint32_t lamp[width];  ///< the face that it leaves or ends on (ray.h), or anything without these bits
-  std::uint32_t active;       ///< bit i: lane i has a ray
+  std::uint32_t light[width];  ///< the face that it leaves or ends on (ray.h), or anything without these bits
+  std::uint32_t active;        ///< bit i: lane i has a ray
 };
 
 /// Where they end; `surface` is no_index on a miss, and then the rest is undefined. Points are exact to rounding: they

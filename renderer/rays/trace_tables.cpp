@@ -7,13 +7,13 @@
 namespace photonproof::inline renderer_rays {
 
 TraceTables::TraceTables(const std::vector<Surface>& surfaces) {
-  const std::vector<std::uint32_t> first_face = lamp_faces(surfaces);
+  const std::vector<std::uint32_t> first_face = light_faces(surfaces);
   for (std::uint32_t i = 0; i < surfaces.size(); ++i) {
     const std::vector<LongFace>* faces = surfaces[i].long_faces.get();
     const auto add_solved = [&]<class Shape>(const Shape& shape) {
       std::uint32_t face = first_face[i];
       if constexpr (requires { shape.primitive; }) face += face == no_index ? 0 : shape.primitive;
-      std::get<ShapeTable<Shape>>(solved).add(shape, i, face == no_index ? no_index : lamp_face | face);
+      std::get<ShapeTable<Shape>>(solved).add(shape, i, face == no_index ? no_index : light_face | face);
     };
     if (faces != nullptr) std::for_each(faces->begin(), faces->end(), add_solved);
     std::visit(Overloaded{[&](const Quad& quad) {

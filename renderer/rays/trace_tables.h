@@ -9,15 +9,15 @@
 
 namespace photonproof::inline renderer_rays {
 
-/// Shapes of one kind, each with the index of its surface and, of a lamp, the face as rays name it (ray.h).
+/// Shapes of one kind, each with the index of its surface and, of a light, the face as rays name it (ray.h).
 template <class Shape>
 struct ShapeTable {
   std::vector<const Shape*> shapes;
-  std::vector<std::uint32_t> surface, lamp;
+  std::vector<std::uint32_t> surface, light;
   void add(const Shape& shape, std::uint32_t index, std::uint32_t face = no_index) {
     shapes.push_back(&shape);
     surface.push_back(index);
-    lamp.push_back(face);
+    light.push_back(face);
   }
 };
 

@@ -30,20 +30,20 @@ std::vector<Surface> box(const Vec3f& center) {
           quad(high, {0, -s, 0}, {-s, 0, 0}), quad(high, {0, 0, -s}, {0, -s, 0}), quad(high, {-s, 0, 0}, {0, 0, -s})};
 }
 
-Hit intersect(const Tracer& tracer, const Vec3f& origin, const Vec3f& direction, std::uint32_t lamp = no_index) {
+Hit intersect(const Tracer& tracer, const Vec3f& origin, const Vec3f& direction, std::uint32_t area_light = no_index) {
   RayBlock rays{};
   HitBlock hits;
-  fill_block<float>(rays, origin, direction, lamp, true);
+  fill_block<float>(rays, origin, direction, area_light, true);
   tracer.intersect(rays, hits, false);
   if (hits.surface[0] == no_index) return {};
   return {
       hits.surface[0], {hits.p_x[0], hits.p_y[0], hits.p_z[0]}, {hits.normal_x[0], hits.normal_y[0], hits.normal_z[0]}};
 }
 
-bool occluded(const Tracer& tracer, const Vec3f& origin, const Vec3f& segment, std::uint32_t lamp = no_index) {
+bool occluded(const Tracer& tracer, const Vec3f& origin, const Vec3f& segment, std::uint32_t area_light = no_index) {
   RayBlock rays{};
   std::uint32_t blocked[RayBlock::width];
-  fill_block<float>(rays, origin, segment, lamp, true);
+  fill_block<float>(rays, origin, segment, area_light, true);
   tracer.occluded(rays, blocked);
   return blocked[0] == 1;
 }
@@ -124,8 +124,8 @@ TEST(tracer, no_ray_leaves_a_closed_box_or_meets_its_own_surface_however_far_out
   }
 }
 
-/// A lamp of this radius whose front comes down to y = 12: seen from below, or from within.
-struct RoundLamp {
+/// A light of this radius whose front comes down to y = 12: seen from below, or from within.
+struct RoundLight {
   const char* name;
   Geometry geometry;
   double radius;
@@ -139,21 +139,22 @@ struct RoundLamp {
   }
 };
 
-std::vector<RoundLamp> round_lamps() {
-  std::vector<RoundLamp> lamps;
+std::vector<RoundLight> round_lights() {
+  std::vector<RoundLight> area_lights;
   for (const double radius : {1e2, 1e4, 1e6})
     for (const bool inward : {false, true}) {
       const double y = 12 + (inward ? -radius : radius);
-      lamps.push_back({"sphere", Sphere{{0, y, 0}, radius, inward}, radius, inward});
-      lamps.push_back({"cylinder", Cylinder{{-1e7, y, 0}, {1, 0, 0}, 2e7, radius, inward}, radius, inward});
+      area_lights.push_back({"sphere", Sphere{{0, y, 0}, radius, inward}, radius, inward});
+      area_lights.push_back({"cylinder", Cylinder{{-1e7, y, 0}, {1, 0, 0}, 2e7, radius, inward}, radius, inward});
     }
-  return lamps;
+  return area_lights;
 }
 
-TEST(tracer, rays_meet_nothing_of_the_lamp_that_they_leave_or_end_on_whatever_its_points_rounding) {
-  for (const RoundLamp& lamp : round_lamps()) {
-    SCOPED_TRACE(lamp.name + std::string(lamp.inward ? ", inward, " : ", ") + std::to_string(lamp.radius));
-    std::vector<Surface> surfaces{{lamp.geometry}};
+TEST(tracer, rays_meet_nothing_of_the_light_that_they_leave_or_end_on_whatever_its_points_rounding) {
+  for (const RoundLight& area_light : round_lights()) {
+    SCOPED_TRACE(area_light.name + std::string(area_light.inward ? ", inward, " : ", ") +
+                 std::to_string(area_light.radius));
+    std::vector<Surface> surfaces{{area_light.geometry}};
     surfaces[0].light = 0;
     const Tracer tracer(surfaces);
     int named = 0, unnamed = 0, leaving = 0;
@@ -161,36 +162,38 @@ TEST(tracer, rays_meet_nothing_of_the_lamp_that_they_leave_or_end_on_whatever_it
       test::Random random(57, i);
       const Vec3f below(6 * random.next() - 3, 0, 6 * random.next() - 3);
       const double x = 20 * double{random.next()} - 10, z = 20 * double{random.next()} - 10;
-      const Vec3f end = lamp.point(x, z, 4 * double{random.next()} - 2);
-      named += occluded(tracer, below, end - below, lamp_face | lamp_at_end) ? 1 : 0;
+      const Vec3f end = area_light.point(x, z, 4 * double{random.next()} - 2);
+      named += occluded(tracer, below, end - below, light_face | light_at_end) ? 1 : 0;
       unnamed += occluded(tracer, below, end - below) ? 1 : 0;
-      const Hit hit = intersect(tracer, end, normalize(below - end), lamp_face);
+      const Hit hit = intersect(tracer, end, normalize(below - end), light_face);
       // What leaves the inside meets the other end of its chord.
-      leaving += hit.valid() != lamp.inward || (hit.valid() && length(hit.p_world - end) < lamp.radius / 2) ? 1 : 0;
+      leaving += hit.valid() != area_light.inward || (hit.valid() && length(hit.p_world - end) < area_light.radius / 2)
+                     ? 1
+                     : 0;
     }
     EXPECT_EQ(named, 0);
     EXPECT_EQ(leaving, 0);
-    if (lamp.radius >= 1e4) {
+    if (area_light.radius >= 1e4) {
       EXPECT_GT(unnamed, 500) << "points are not off: the test shows nothing";
     }
   }
 }
 
-TEST(tracer, the_far_inside_of_a_lamp_is_hidden_by_its_near_side) {
-  for (const RoundLamp& lamp : round_lamps()) {
-    if (!lamp.inward) continue;
-    std::vector<Surface> surfaces{{lamp.geometry}};
+TEST(tracer, the_far_inside_of_a_light_is_hidden_by_its_near_side) {
+  for (const RoundLight& area_light : round_lights()) {
+    if (!area_light.inward) continue;
+    std::vector<Surface> surfaces{{area_light.geometry}};
     surfaces[0].light = 0;
     const Tracer tracer(surfaces);
-    const auto radius = static_cast<float>(lamp.radius);
+    const auto radius = static_cast<float>(area_light.radius);
     const Vec3f above(0, 12 + radius, 0), bottom(0, 12 - 2 * radius, 0), middle(0, 12 - radius, 0);
-    EXPECT_TRUE(occluded(tracer, above, bottom - above, lamp_face | lamp_at_end)) << lamp.name;
-    EXPECT_FALSE(occluded(tracer, middle, bottom - middle, lamp_face | lamp_at_end)) << lamp.name;
-    EXPECT_TRUE(occluded(tracer, above, bottom - above, (lamp_face | lamp_at_end) + 1)) << "another lamp's face";
+    EXPECT_TRUE(occluded(tracer, above, bottom - above, light_face | light_at_end)) << area_light.name;
+    EXPECT_FALSE(occluded(tracer, middle, bottom - middle, light_face | light_at_end)) << area_light.name;
+    EXPECT_TRUE(occluded(tracer, above, bottom - above, (light_face | light_at_end) + 1)) << "another light's face";
   }
 }
 
-TEST(tracer, of_a_long_lamp_of_triangles_rays_pass_the_face_they_end_on_alone) {
+TEST(tracer, of_a_long_light_of_triangles_rays_pass_the_face_they_end_on_alone) {
   // A roof of two long faces: from below one its other side hides it.
   const auto face = [](double slope, std::uint32_t primitive) {
     const Vec3d corner{0, 12, -1e6}, edge_u{0, 0, 2e6}, edge_v{slope > 0 ? -1e6 : 1e6, -1e6 * std::abs(slope), 0};
@@ -208,9 +211,9 @@ TEST(tracer, of_a_long_lamp_of_triangles_rays_pass_the_face_they_end_on_alone) {
   const Tracer tracer(roof);
   const Vec3f inside(0, 0, 0), left(-5, 7.0001f, 0), right(5, 7.0001f, 0);  // by rounding behind the faces
   EXPECT_TRUE(occluded(tracer, inside, left - inside));
-  EXPECT_FALSE(occluded(tracer, inside, left - inside, lamp_face | lamp_at_end));
-  EXPECT_TRUE(occluded(tracer, inside, right - inside, lamp_face | lamp_at_end));
-  EXPECT_FALSE(occluded(tracer, inside, right - inside, (lamp_face | lamp_at_end) + 1));
+  EXPECT_FALSE(occluded(tracer, inside, left - inside, light_face | light_at_end));
+  EXPECT_TRUE(occluded(tracer, inside, right - inside, light_face | light_at_end));
+  EXPECT_FALSE(occluded(tracer, inside, right - inside, (light_face | light_at_end) + 1));
 }
 
 TEST(tracer, rays_leaving_a_sphere_never_meet_it_again) {
@@ -246,7 +249,7 @@ TEST(tracer, an_empty_scene_is_all_misses) {
 
 // --- whole scenes, through both ways of tracing ----------------------------------------------------------------------
 
-constexpr std::size_t by_embree = 0, by_small_kernel = small_scene_limit;
+constexpr std::size_t by_embree = 0, by_small_kernel = brute_force_limit;
 
 /// Where a scene stands in its file, and how far its shapes are from the middle of them all, which is the compiled
 /// scene's origin: single precision must bear the second, the first costs nothing.
@@ -438,7 +441,7 @@ std::int64_t photons_lost(const Kernels& kernels, const Scene& scene, int edges)
   return static_cast<std::int64_t>(task.count) * (edges - 1) - static_cast<std::int64_t>(stored);
 }
 
-TEST(scene_rays, no_history_of_any_kernel_is_lost_in_a_closed_white_scene) {
+TEST(scene_rays, no_path_of_any_kernel_is_lost_in_a_closed_white_scene) {
   for (const std::size_t limit : {by_embree, by_small_kernel}) {
     for (const Placement& at : placements) {
       const Scene in_box = test::compiled(white_box(at), 16, 16, {}, limit);

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "renderer/scalar/world_camera.h"
+#include "renderer/scalar/scalar_camera.h"
 
 namespace photonproof::inline renderer_scalar {
 namespace {
@@ -17,9 +17,9 @@ constexpr std::uint32_t in_pixel = 0, lens = 1, first_hit = 2, per_hit = 3;
 class CoverageTracer {
  public:
   CoverageTracer(const Scene& scene, int grid, bool hide_emitters)
-      : world_(scene), camera_(world_, 1), grid_(grid), hide_emitters_(hide_emitters) {}
+      : scene_interface_(scene), camera_(scene_interface_, 1), grid_(grid), hide_emitters_(hide_emitters) {}
 
-  bool meets_a_shape(int x, int y, const Draws& draws) const {
+  bool meets_a_shape(int x, int y, const PathSampler& draws) const {
     const std::optional<Ray> first =
         camera_.ray(x, y, draws, grid_, coverage_dimension::in_pixel, draws.two(coverage_dimension::lens));
     if (!first) return false;
@@ -27,25 +27,25 @@ class CoverageTracer {
     for (std::uint32_t hit = 0; hit < most_surfaces; ++hit) {
       const std::uint32_t dimension = coverage_dimension::first_hit + hit * coverage_dimension::per_hit;
       Interaction at;
-      if (!world_.intersect(ray, draws.one(dimension), TransportMode::radiance, at)) return false;
+      if (!scene_interface_.intersect(ray, draws.one(dimension), TransportMode::radiance, at)) return false;
       if (camera_.beyond_far_plane(at.p)) return false;
       if (!passes(at, ray, draws, dimension)) return true;
-      ray = world_.pass(ray, at, ray.direction);
+      ray = scene_interface_.pass(ray, at, ray.direction);
     }
     return true;
   }
 
  private:
-  bool passes(const Interaction& at, const Ray& ray, const Draws& draws, std::uint32_t dimension) const {
+  bool passes(const Interaction& at, const Ray& ray, const PathSampler& draws, std::uint32_t dimension) const {
     if (hide_emitters_ && at.light != no_index) return true;
-    if (!world_.has_null_surfaces()) return false;
+    if (!scene_interface_.has_null_surfaces()) return false;
     const Scattered next =
         scatter(at, -ray.direction, draws.one(dimension + 1), draws.two(dimension + 2), TransportMode::radiance);
     return next.valid && next.straight;
   }
 
-  World world_;
-  WorldCamera camera_;
+  SceneInterface scene_interface_;
+  ScalarCamera camera_;
   int grid_;
   bool hide_emitters_;
 };

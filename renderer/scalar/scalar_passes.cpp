@@ -8,10 +8,10 @@ namespace photonproof::inline renderer_scalar {
 namespace {
 
 constexpr std::int64_t passes_wanted = 32;
-constexpr std::int64_t most_histories = std::int64_t{1} << 21;  ///< of a pass: what a minute is enough for
+constexpr std::int64_t most_paths = std::int64_t{1} << 21;  ///< of a pass: what a minute is enough for
 constexpr int tile_size = 16;
 
-Draws draws_of(std::uint32_t seed, SamplerKind kind, int x, int y, std::int64_t sample) {
+PathSampler draws_of(std::uint32_t seed, SamplerKind kind, int x, int y, std::int64_t sample) {
   return {kind, pixel_key<float>(static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y), seed),
           static_cast<std::uint32_t>(sample)};
 }
@@ -32,8 +32,7 @@ void for_each_pixel(const Tile& tile, Visit&& visit) {
 }
 
 std::int64_t longest_pass(const RenderJob& job, const Film& film) {
-  const std::int64_t affordable =
-      std::max<std::int64_t>(1, most_histories / (std::int64_t{film.width()} * film.height()));
+  const std::int64_t affordable = std::max<std::int64_t>(1, most_paths / (std::int64_t{film.width()} * film.height()));
   if (job.budget.seconds) return affordable;
   return std::clamp<std::int64_t>(job.budget.spp.value_or(job.sample_count) / passes_wanted, 1, affordable);
 }

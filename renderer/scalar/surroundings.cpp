@@ -33,7 +33,7 @@ void Surroundings::exit(std::uint32_t bsdf) {
   }
 }
 
-Crossing Surroundings::crossing(const World& world, const Interaction& at, const Vec3f& direction) const {
+Crossing Surroundings::crossing(const SceneInterface& world, const Interaction& at, const Vec3f& direction) const {
   const SceneMedia& media = world.scene().media;
   if (!media.any_priority || !media.bodies[at.leaf].priority) return {};
   Surroundings after = *this;
@@ -50,7 +50,7 @@ Crossing Surroundings::crossing(const World& world, const Interaction& at, const
   return {true, entering ? ior(then) / ior(now) : ior(now) / ior(then)};
 }
 
-void Surroundings::cross(const World& world, const Interaction& at, const Vec3f& direction) {
+void Surroundings::cross(const SceneInterface& world, const Interaction& at, const Vec3f& direction) {
   const SceneMedia& media = world.scene().media;
   const Surface& surface = world.scene().surfaces[at.surface];
   const bool entering = dot(at.ng, direction) < 0;
@@ -65,7 +65,7 @@ void Surroundings::cross(const World& world, const Interaction& at, const Vec3f&
   }
 }
 
-void Surroundings::leave(const World& world, const Interaction& at, const Vec3f& wo, const Vec3f& wi) {
+void Surroundings::leave(const SceneInterface& world, const Interaction& at, const Vec3f& wo, const Vec3f& wi) {
   if (dot(at.ng, wo) * dot(at.ng, wi) < 0) cross(world, at, wi);
 }
 
@@ -79,7 +79,7 @@ namespace {
 /// No axis or diagonal of a scene.
 const Vec3f odd_direction = normalize(Vec3f(0.3712f, 0.4871f, 0.7906f));
 
-void follow(const World& world, Ray ray, float length_left, Surroundings& surroundings) {
+void follow(const SceneInterface& world, Ray ray, float length_left, Surroundings& surroundings) {
   Interaction at;
   while (world.intersect(ray, 0, TransportMode::radiance, at)) {
     length_left -= ray.way_to(at.p);
@@ -91,7 +91,8 @@ void follow(const World& world, Ray ray, float length_left, Surroundings& surrou
 
 /// Whether what was met on the way to an end is that end: its surface, close to it, or the front of a round one, which
 /// is met once.
-bool is_end(const World& world, const Interaction& met, const SegmentEnd& end, const Vec3f& direction, bool is_close) {
+bool is_end(const SceneInterface& world, const Interaction& met, const SegmentEnd& end, const Vec3f& direction,
+            bool is_close) {
   if (met.surface != end.surface) return false;
   const Geometry& geometry = world.scene().surfaces[met.surface].geometry;
   const bool is_round = std::visit([](const auto& shape) { return shape.is_round; }, geometry);
@@ -100,28 +101,28 @@ bool is_end(const World& world, const Interaction& met, const SegmentEnd& end, c
 
 }  // namespace
 
-std::uint32_t outer_medium(const World& world) {
+std::uint32_t outer_medium(const SceneInterface& world) {
   Surroundings surroundings(world.scene().media.around_camera);
   if (world.has_media_or_bodies())
     follow(world, {world.view().camera.origin, odd_direction}, std::numeric_limits<float>::infinity(), surroundings);
   return surroundings.medium();
 }
 
-Rgb arriving_from_infinity(const World& world, bool from_infinity, std::uint32_t outer) {
+Rgb arriving_from_infinity(const SceneInterface& world, bool from_infinity, std::uint32_t outer) {
   if (!from_infinity || outer == no_index) return Rgb(1.0f);
   return world.scene().media.media[outer].transmittance(std::numeric_limits<float>::infinity());
 }
 
-Surroundings surroundings_at(const World& world, const Vec3f& p, std::uint32_t outer) {
+Surroundings surroundings_at(const SceneInterface& world, const Vec3f& p, std::uint32_t outer) {
   Surroundings surroundings(outer);
   if (world.has_media_or_bodies())
     follow(world, {p - odd_direction * world.far_away(), odd_direction}, world.far_away(), surroundings);
   return surroundings;
 }
 
-Rgb transmittance(const World& world, const SegmentEnd& from, const SegmentEnd& to, Surroundings surroundings,
-                  const Passing& through, const Draws& draws, std::uint32_t dimension) {
-  if (!world.has_media_or_bodies() && !through.lamps && !(through.null && world.has_null_surfaces()))
+Rgb transmittance(const SceneInterface& world, const SegmentEnd& from, const SegmentEnd& to, Surroundings surroundings,
+                  const Passing& through, const PathSampler& draws, std::uint32_t dimension) {
+  if (!world.has_media_or_bodies() && !through.lights && !(through.null && world.has_null_surfaces()))
     return Rgb(world.visible(from, to) ? 1.0f : 0.0f);
   const std::vector<Medium>& media = world.scene().media.media;
   Rgb left(1.0f);
@@ -142,7 +143,7 @@ Rgb transmittance(const World& world, const SegmentEnd& from, const SegmentEnd& 
       return left;
     }
     attenuate(step);
-    const bool passes = through.lamps && at.light != no_index;
+    const bool passes = through.lights && at.light != no_index;
     if (!passes && surroundings.crossing(world, at, ray.direction).is_boundary) {
       const std::optional<Rgb> part = through.null ? straight_through(at, -ray.direction) : std::nullopt;
       if (!part) return Rgb(0.0f);
@@ -154,7 +155,7 @@ Rgb transmittance(const World& world, const SegmentEnd& from, const SegmentEnd& 
   }
 }
 
-bool travel(const World& world, Ray& ray, Surroundings& surroundings, float u_layer, TransportMode mode,
+bool travel(const SceneInterface& world, Ray& ray, Surroundings& surroundings, float u_layer, TransportMode mode,
             Rgb& throughput, Interaction& at) {
   if (!world.has_media_or_bodies()) return world.intersect(ray, u_layer, mode, at);
   while (world.intersect(ray, u_layer, mode, at)) {

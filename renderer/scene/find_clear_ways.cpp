@@ -1,6 +1,6 @@
 #include "renderer/scene/find_clear_ways.h"
 
-#include "renderer/scene/aim_targets.h"
+#include "renderer/scene/projection_targets.h"
 
 namespace photonproof::inline renderer_scene {
 

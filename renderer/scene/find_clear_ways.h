@@ -1,7 +1,7 @@
 // Fills ClearWays.
 #pragma once
 
-#include "renderer/light_choice/clear_ways.h"
+#include "renderer/light_sampling/clear_ways.h"
 #include "renderer/scene/scene_parts.h"
 
 namespace photonproof::inline renderer_scene {

@@ -11,14 +11,14 @@ namespace photonproof::inline renderer_scene {
 
 namespace {
 
-/// Behind lamps that are hidden from the camera.
+/// Behind lights that are hidden from the camera.
 Hit first_seen(const Scene& scene, Vec3f origin, const Vec3f& direction) {
-  constexpr int most_lamps = 16;
+  constexpr int most_lights = 16;
   const auto is_hidden = [&](const Hit& hit) {
-    return scene.view().hides_lamps && hit.valid() && scene.surfaces[hit.surface].light != no_index;
+    return scene.view().hides_lights && hit.valid() && scene.surfaces[hit.surface].light != no_index;
   };
   Hit hit = scene.intersect(origin, direction);
-  for (int i = 0; i < most_lamps && is_hidden(hit); ++i) {
+  for (int i = 0; i < most_lights && is_hidden(hit); ++i) {
     origin = offset_from(hit.p_world, hit.normal, direction, scene.view().coordinate_floor);
     hit = scene.intersect(origin, direction);
   }
@@ -50,7 +50,7 @@ std::vector<Vec3f> points_looked_at(const Scene& scene, int lattice) {
   return points;
 }
 
-std::vector<AimTarget> looked_at(const Scene& scene) {
+std::vector<ProjectionTarget> looked_at(const Scene& scene) {
   constexpr int lattice = 4;
   constexpr float half_diagonal = 0.75f;  // of a cell
   const CameraView& camera = scene.view().camera;
@@ -68,7 +68,7 @@ std::vector<AimTarget> looked_at(const Scene& scene) {
     }
     return std::isfinite(nearest) ? nearest : 0;
   };
-  std::vector<AimTarget> balls;
+  std::vector<ProjectionTarget> balls;
   for (int row = 0; row < lattice; ++row)
     for (int column = 0; column < lattice; ++column) {
       const Vec3f p = at(row, column);

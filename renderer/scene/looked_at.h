@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "renderer/scene/scene.h"
-#include "renderer/shapes/aim_cone.h"
+#include "renderer/shapes/projection_cone.h"
 
 namespace photonproof::inline renderer_scene {
 
@@ -14,6 +14,6 @@ std::vector<Vec3f> points_looked_at(const Scene& scene, int lattice);
 
 /// Around the first surfaces that a lattice of camera rays meets, each as large as its cell of the
 /// image is there.
-std::vector<AimTarget> looked_at(const Scene& scene);
+std::vector<ProjectionTarget> looked_at(const Scene& scene);
 
 }  // namespace photonproof::inline renderer_scene

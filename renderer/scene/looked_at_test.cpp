@@ -15,12 +15,12 @@ TEST(looked_at, balls_hold_what_is_seen_straight_and_at_a_slant) {
     SceneDescription d = test::floor_under_point_light(48);
     test::set_camera(d, Transform::look_at({0, height, 3}, {0, 0, 0}, {0, 1, 0.01}), 20, 48);
     const Scene scene = test::compiled(d, 48, 48);
-    const std::vector<AimTarget> balls = looked_at(scene);
+    const std::vector<ProjectionTarget> balls = looked_at(scene);
     const std::vector<Vec3f> points = points_looked_at(scene, 40);
     ASSERT_GT(points.size(), 1000u);
     const auto held = std::count_if(points.begin(), points.end(), [&](const Vec3f& p) {
       return std::any_of(balls.begin(), balls.end(),
-                         [&](const AimTarget& ball) { return length(p - ball.center) <= ball.radius; });
+                         [&](const ProjectionTarget& ball) { return length(p - ball.center) <= ball.radius; });
     });
     EXPECT_GT(static_cast<double>(held), 0.95 * static_cast<double>(points.size())) << height;
     // And little else: the widest is no larger than what is seen.
@@ -29,7 +29,7 @@ TEST(looked_at, balls_hold_what_is_seen_straight_and_at_a_slant) {
       low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
       high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
     }
-    for (const AimTarget& ball : balls) EXPECT_LT(ball.radius, 0.5f * length(high - low)) << height;
+    for (const ProjectionTarget& ball : balls) EXPECT_LT(ball.radius, 0.5f * length(high - low)) << height;
   }
 }
 

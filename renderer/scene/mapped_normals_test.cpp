@@ -9,7 +9,7 @@
 
 #include "renderer/integrators/test_scenes.h"
 #include "renderer/planning/test_compiled.h"
-#include "renderer/scalar/world.h"
+#include "renderer/scalar/scene_interface.h"
 
 namespace photonproof::inline renderer_scene {
 namespace {
@@ -122,12 +122,12 @@ SceneDescription square(Map map, MappedNormalsDescription options, const Transfo
   return d;
 }
 
-/// Of the middle of the square, by a history that comes from the camera and by one that comes from the light.
+/// Of the middle of the square, by a path that comes from the camera and by one that comes from the light.
 struct Reflected {
   double by_camera, by_light;
 };
 Reflected reflected(const Scene& scene, const Vec3f& to_camera, const Vec3f& to_light) {
-  const World world(scene);
+  const SceneInterface world(scene);
   Interaction at, other;
   EXPECT_TRUE(world.intersect({to_camera * 3.0f, -to_camera}, 0.4f, TransportMode::radiance, at));
   const float by_camera = evaluate(at, to_camera, to_light, TransportMode::radiance).y;

@@ -75,15 +75,15 @@ TEST(mesh_scene, the_normal_follows_the_winding_and_flip_normals) {
   }
 }
 
-/// A room with a lamp of two triangles whose radiance is a checkerboard, before them one without an area if asked for.
-SceneDescription with_textured_lamp(bool with_flat_triangle) {
+/// A room with a light of two triangles whose radiance is a checkerboard, before them one without an area if asked for.
+SceneDescription with_textured_light(bool with_flat_triangle) {
   SceneDescription scene = test::room(24, false);
   scene.textures.push_back({{}, "", CheckerboardDescription{RgbD(12), RgbD{1, 2, 6}, Transform::scale({3, 5, 1})}});
-  auto lamp = std::make_shared<TriangleMesh>(*square_mesh());
-  lamp->uvs = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
-  if (with_flat_triangle) lamp->triangles.insert(lamp->triangles.begin(), {0, 1, 1});
+  auto light = std::make_shared<TriangleMesh>(*square_mesh());
+  light->uvs = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+  if (with_flat_triangle) light->triangles.insert(light->triangles.begin(), {0, 1, 1});
   ShapeDescription& shape = scene.shapes.back();
-  shape.geometry = MeshDescription{MeshDescription::Format::ply, "lamp.ply", true, false, lamp};
+  shape.geometry = MeshDescription{MeshDescription::Format::ply, "lamp.ply", true, false, light};
   shape.radiance = TextureIndex{0};
   // Seen by the camera, too: what it meets has to know which triangle it is.
   shape.to_world =
@@ -144,10 +144,10 @@ TEST(mesh_scene, mirrored_is_the_image_flipped_by_its_own_transform_and_by_insta
     }
 }
 
-TEST(mesh_scene, a_triangle_without_area_changes_nothing_of_a_lamp) {
+TEST(mesh_scene, a_triangle_without_area_changes_nothing_of_a_light) {
   for (const char* integrator : {"path", "bdpt", "ptracer", "photonmapper", "whitted"})
     for (const SkipSwitches& skips : {SkipSwitches(), SkipSwitches({"bvh"})}) {
-      SceneDescription with = with_textured_lamp(true), without = with_textured_lamp(false);
+      SceneDescription with = with_textured_light(true), without = with_textured_light(false);
       with.integrator = without.integrator = with_integrator(with.integrator, integrator);
       EXPECT_EQ(render(with, skips).rgb, render(without, skips).rgb)
           << integrator << (skips.on(Skip::bvh) ? ", few primitives" : ", Embree");

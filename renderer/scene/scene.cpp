@@ -3,13 +3,13 @@
 #include <cstring>
 #include <set>
 
-#include "renderer/light_choice/light_table.h"
-#include "renderer/light_choice/scene_lights.h"
+#include "renderer/light_sampling/light_table.h"
+#include "renderer/light_sampling/scene_lights.h"
+#include "renderer/rays/brute_force_tables.h"
 #include "renderer/rays/rays.h"
-#include "renderer/rays/small_scene_tables.h"
-#include "renderer/scene/aim_targets.h"
 #include "renderer/scene/find_clear_ways.h"
 #include "renderer/scene/looked_at.h"
+#include "renderer/scene/projection_targets.h"
 
 namespace photonproof::inline renderer_scene {
 namespace {
@@ -33,12 +33,12 @@ std::vector<SurfaceWords> words_of_surfaces(const SceneParts& parts) {
 }
 
 /// `small`: null where there is none.
-std::vector<LightWords> words_of_lights(const SceneParts& parts, const SmallSceneTables* small) {
+std::vector<LightWords> words_of_lights(const SceneParts& parts, const BruteForceTables* small) {
   std::vector<LightWords> words = light_table(parts.lights);
-  const std::vector<std::uint32_t> faces = lamp_faces(parts.surfaces);
+  const std::vector<std::uint32_t> faces = light_faces(parts.surfaces);
   for (std::uint32_t i = 0; i < parts.surfaces.size(); ++i)
     if (const std::uint32_t light = parts.surfaces[i].light; light != no_index)
-      words[light].primitive = small != nullptr ? small->first_primitive(i) : lamp_face | faces[i];
+      words[light].primitive = small != nullptr ? small->first_primitive(i) : light_face | faces[i];
   return words;
 }
 
@@ -46,18 +46,19 @@ std::vector<LightWords> words_of_lights(const SceneParts& parts, const SmallScen
 
 Scene::Scene(SceneParts parts, const SceneChoices& choices)
     : SceneParts(std::move(parts)),
-      small_(choices.small ? std::make_unique<const SmallSceneTables>(surfaces) : nullptr),
+      small_(choices.small ? std::make_unique<const BruteForceTables>(surfaces) : nullptr),
       tracer_(choices.small ? nullptr : std::make_unique<const Tracer>(surfaces)),
       surface_words_(words_of_surfaces(*this)),
       bsdf_records_(flat_records<BsdfKinds>(bsdfs.records)),
       light_records_(light_records(lights)),
       light_words_(words_of_lights(*this, small_.get())),
-      aim_targets_(aim_targets(surfaces, [&](const Surface& surface) { return bsdfs.is_specular(surface.bsdf); })),
+      projection_targets_(
+          projection_targets(surfaces, [&](const Surface& surface) { return bsdfs.is_specular(surface.bsdf); })),
       clear_ways_(choices.light_paths ? find_clear_ways(*this) : ClearWays{}),
       detail_{surfaces, uv_frames, *textures, bsdfs, plain, small_ ? small_->triangles() : nullptr},
       scene_lights_(std::make_unique<SceneLights>(lights, light_words_, ball)),
       view_(view_of(choices)) {
-  if (choices.light_paths) scene_lights_->guide_emission(EmissionGuide(lights, looked_at(*this), ball, &clear_ways_));
+  if (choices.light_paths) scene_lights_->guide_emission(EmissionGuiding(lights, looked_at(*this), ball, &clear_ways_));
   view_.guided_emission = scene_lights_->has_guide();
 }
 
@@ -87,7 +88,7 @@ SceneView Scene::view_of(const SceneChoices& choices) const {
   view.light_count = static_cast<std::uint32_t>(lights.size());
   for (const Light& light : lights) view.light_kinds |= 1u << kernel_kind(light);
   view.lights_can_be_hit = lights_can_be_hit;
-  view.hides_lamps = choices.hides_lamps;
+  view.hides_lights = choices.hides_lights;
   view.rough_limit = rough_limit;
   view.general_lights = scene_lights_.get();
   view.environment = scene_lights_->environment().value_or(no_index);
@@ -95,8 +96,8 @@ SceneView Scene::view_of(const SceneChoices& choices) const {
   view.lights_by_position = choices.lights_by_position;
   view.dark_shadow_rays = choices.dark_shadow_rays;
   view.clear_ways = &clear_ways_;
-  view.aim_targets = aim_targets_.data();
-  view.aim_target_count = static_cast<std::uint32_t>(aim_targets_.size());
+  view.projection_targets = projection_targets_.data();
+  view.projection_target_count = static_cast<std::uint32_t>(projection_targets_.size());
   return view;
 }
 

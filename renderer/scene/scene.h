@@ -6,19 +6,19 @@
 #include <memory>
 #include <vector>
 
-#include "renderer/light_choice/clear_ways.h"
-#include "renderer/light_choice/light_words.h"
+#include "renderer/light_sampling/clear_ways.h"
+#include "renderer/light_sampling/light_words.h"
 #include "renderer/rays/trace.h"
 #include "renderer/scene/scene_choices.h"
 #include "renderer/scene/scene_parts.h"
 #include "renderer/scene/scene_view.h"
 #include "renderer/scene/surface_detail.h"
 
-namespace photonproof::inline renderer_light_choice {
+namespace photonproof::inline renderer_light_sampling {
 class SceneLights;
 }
 namespace photonproof::inline renderer_rays {
-class SmallSceneTables;
+class BruteForceTables;
 }
 
 namespace photonproof::inline renderer_scene {
@@ -45,12 +45,12 @@ class Scene : public SceneParts {
   SceneView view_of(const SceneChoices& choices) const;
 
   // Each is made of those before it.
-  const std::unique_ptr<const SmallSceneTables> small_;  ///< null where rays go through the tracer
+  const std::unique_ptr<const BruteForceTables> small_;  ///< null where rays go through the tracer
   const std::unique_ptr<const Tracer> tracer_;           ///< null in a small scene
   const std::vector<SurfaceWords> surface_words_;
   const std::vector<float> bsdf_records_, light_records_;
   const std::vector<LightWords> light_words_;
-  const std::vector<AimTarget> aim_targets_;
+  const std::vector<ProjectionTarget> projection_targets_;
   const ClearWays clear_ways_;
   const DetailTables detail_;
   const std::unique_ptr<SceneLights> scene_lights_;

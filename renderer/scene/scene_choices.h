@@ -11,7 +11,7 @@ struct SceneChoices {
   bool one_bsdf_kind = false;       ///< lanes need no sorting
   bool lights_by_position = false;  ///< chosen by the tree over where they are, not by their flux
   bool dark_shadow_rays = true;     ///< shadow rays are traced even where they can bring no light
-  bool hides_lamps = false;         ///< from the camera, which looks through them
+  bool hides_lights = false;        ///< from the camera, which looks through them
   bool light_paths = true;          ///< some start at the lights, and are guided to what the camera sees
 };
 

@@ -63,11 +63,11 @@ class Nearness {
 };
 
 /// Around what the camera sees: a cone, or of an orthographic one a cylinder.
-struct View {
+struct Aov {
   Vec3d origin, axis;
   double near = 0, half_angle = 0, half_width = 0;  ///< nothing is seen nearer than `near`
 
-  explicit View(const SensorDescription& sensor)
+  explicit Aov(const SensorDescription& sensor)
       : origin(sensor.to_world.point({0, 0, 0})), axis(normalize(sensor.to_world.vector({0, 0, 1}))) {
     const double film = std::max(sensor.film.width, sensor.film.height), other = sensor.film.width + sensor.film.height;
     const auto see_cone = [&](double near_clip, double degrees) {
@@ -118,7 +118,7 @@ double weighted_median(std::vector<Part>& parts, Value&& value) {
 }  // namespace
 
 std::optional<SceneFocus> scene_focus(const SceneDescription& description) {
-  const View view(description.sensor);
+  const Aov view(description.sensor);
   const ShapeExtents extents(description);
   Nearness nearness(description);
   std::vector<Part> parts;

@@ -13,8 +13,8 @@ struct SceneFocus {
 };
 
 /// Shapes in view (all shapes, if none is) count by how near the camera comes to them, and only by their part that it
-/// comes near to: a sun, a lamp or a mountain far away does not count beside the table in front, and of a floor without
-/// end counts what lies at the camera's feet. Medians, so that no few of a kind decide. Empty without shapes.
+/// comes near to: a sun, a light or a mountain far away does not count beside the table in front, and of a floor
+/// without end counts what lies at the camera's feet. Medians, so that no few of a kind decide. Empty without shapes.
 std::optional<SceneFocus> scene_focus(const SceneDescription& description);
 
 }  // namespace photonproof::inline renderer_scene

@@ -4,8 +4,8 @@
 #include <array>
 #include <cmath>
 
-#include "renderer/rays/small_scene.h"
-#include "renderer/rays/small_scene_tables.h"
+#include "renderer/rays/brute_force_intersector.h"
+#include "renderer/rays/brute_force_tables.h"
 #include "renderer/scene/scene_frame.h"
 #include "renderer/shapes/heightfield.h"
 #include "renderer/shapes/mesh_normals.h"
@@ -52,7 +52,7 @@ double longest_edge(const Mesh& mesh, double least) {
 /// Of so many long edges a ball in single precision is off by a ten-thousandth of a scene's reach.
 constexpr double large_balls = 64;
 
-/// SmallSceneTables are off by a part of a face's length at its edges: no more than this part of how far away those
+/// BruteForceTables are off by a part of a face's length at its edges: no more than this part of how far away those
 /// are.
 constexpr double part_of_rim = 1e-5;
 
@@ -227,7 +227,7 @@ void SceneShapes::add_surface(Geometry geometry, const ShapeDescription& shape) 
   surface.bsdf = shape.bsdf.value;
   if (shape.interior) surface.interior = shape.interior->value;
   if (shape.exterior) surface.exterior = shape.exterior->value;
-  simple = simple && SmallSceneTables::can_hold(surface.geometry, large_balls * long_edge_);
+  simple = simple && BruteForceTables::can_hold(surface.geometry, large_balls * long_edge_);
   surfaces.push_back(std::move(surface));
   shape_of.push_back(&shape);
 }

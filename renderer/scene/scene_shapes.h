@@ -23,7 +23,7 @@ class SceneShapes {
   std::vector<std::size_t> cubes;                 ///< the first of the six surfaces of each
   std::vector<AffineMap> uv_frames;               ///< by Surface::uv_frame
   std::size_t primitives = 0;                     ///< a group's triangles count once, and each instance as one
-  bool simple = true;                             ///< what SmallSceneTables can hold
+  bool simple = true;                             ///< what BruteForceTables can hold
 
  private:
   /// The meshes of a group, around their middle and in a unit of length of their own where the group's is extreme.

@@ -9,7 +9,7 @@
 #include "renderer/integrators/test_scenes.h"
 #include "renderer/kernels/lights.h"
 #include "renderer/lanes/test_random.h"
-#include "renderer/light_choice/light_table.h"
+#include "renderer/light_sampling/light_table.h"
 #include "renderer/planning/scene_facts.h"
 #include "renderer/planning/test_compiled.h"
 #include "renderer/sensor/film.h"
@@ -142,7 +142,7 @@ TEST(scene, lights_are_chosen_half_by_flux_half_evenly) {
   // Over 4096 numbers in the middles of equal cells, exactly: the alias table's thresholds are multiples of a quarter.
   std::vector<double> chosen(4);
   for (int i = 0; i < 4096; ++i) {
-    const LightChoice<float> choice = choose_light<float>(scene.view(), (static_cast<float>(i) + 0.5f) / 4096);
+    const LightSampling<float> choice = choose_light<float>(scene.view(), (static_cast<float>(i) + 0.5f) / 4096);
     chosen[choice.light] += 1.0 / 4096;
     EXPECT_NEAR(choice.probability, choice.light == 0 ? 0.625f : 0.375f, 1e-7f);
   }

@@ -8,13 +8,13 @@
 #include "renderer/rays/ray_scene.h"
 #include "renderer/sensor/camera_view.h"
 
-namespace photonproof::inline renderer_light_choice {
+namespace photonproof::inline renderer_light_sampling {
 class SceneLights;
 struct ClearWays;
 struct LightWords;
-}  // namespace photonproof::inline renderer_light_choice
+}  // namespace photonproof::inline renderer_light_sampling
 namespace photonproof::inline renderer_shapes {
-struct AimTarget;
+struct ProjectionTarget;
 }
 
 namespace photonproof::inline renderer_scene {
@@ -44,12 +44,12 @@ struct SceneView : RayScene {
   bool lights_by_position = false;              ///< they are chosen by `general_lights`
   std::uint32_t environment = no_index;         ///< the light that rays see which leave the scene
   const ClearWays* clear_ways = nullptr;
-  const AimTarget* aim_targets = nullptr;  ///< one for each specular surface
-  std::uint32_t aim_target_count = 0;
+  const ProjectionTarget* projection_targets = nullptr;  ///< one for each specular surface
+  std::uint32_t projection_target_count = 0;
   std::uint32_t bsdf_kinds = 0;  ///< bit k: a surface has a BSDF of kind k
   std::uint32_t light_kinds = 0;
   bool lights_can_be_hit = false;
-  bool hides_lamps = false;  ///< SceneChoices
+  bool hides_lights = false;  ///< SceneChoices
   RoughLimit rough_limit{};
   bool guided_emission = false;  ///< `general_lights` says where light paths start
   float coordinate_floor = 1;    ///< least magnitude of coordinates that ray offsets reckon with

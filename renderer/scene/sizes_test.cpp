@@ -74,7 +74,7 @@ TEST(face_normals, do_not_depend_on_the_size_of_the_face) {
     }
 }
 
-TEST(face_normals, of_a_lamp_a_ten_billionth_in_size_are_right) {
+TEST(face_normals, of_a_light_a_ten_billionth_in_size_are_right) {
   // A triangle of legs e emits L over A = e^2/2 from height 2, downwards: below it the floor has
   // E = L A / h^2 (cosines 1), radiance rho E / pi = 0.5 / pi at L A = 4.
   for (const double e : {1e-4, 1e-10, 1e-16}) {
@@ -89,7 +89,7 @@ TEST(face_normals, of_a_lamp_a_ten_billionth_in_size_are_right) {
                     Transform::translate({0, 2, 0}), d.shapes[0].bsdf)
         .radiance = RgbD(8 / (e * e));
     test::set_camera(d, Transform::look_at({1, 1, 0}, {0, 0, 0}, {0, 0, 1}), 0.1, 3);
-    for (const std::size_t limit : {small_scene_limit, through_embree})
+    for (const std::size_t limit : {brute_force_limit, through_embree})
       EXPECT_NEAR(test::image_mean(test::render(d, "direct", test::job_with(16), limit).image.mean), 0.5 / pi, 1e-3)
           << e << " " << limit;
   }
@@ -129,7 +129,7 @@ TEST(curved_floors, as_large_as_planets_are_lit_like_flat_ones) {
         d.shapes[0].geometry = as_sphere;
       else
         d.shapes[0].geometry = as_cylinder;
-      for (const std::size_t limit : {small_scene_limit, through_embree})
+      for (const std::size_t limit : {brute_force_limit, through_embree})
         expect_lit_floor(d, limit, 1e-4, (is_sphere ? "sphere 1e" : "cylinder 1e") + std::to_string(k));
     }
 }
@@ -146,7 +146,7 @@ TEST(far_shapes, do_not_cost_the_others_their_precision) {
           far.to_world = {};
           far.geometry = SphereDescription{direction * distance, 1};
           d.shapes.insert(d.shapes.begin() + place, far);
-          for (const std::size_t limit : {small_scene_limit, through_embree})
+          for (const std::size_t limit : {brute_force_limit, through_embree})
             expect_lit_floor(d, limit, 1e-4,
                              std::to_string(others) + " others, one at " + std::to_string(distance) + ", place " +
                                  std::to_string(place) + ", limit " + std::to_string(limit));
@@ -158,7 +158,7 @@ TEST(far_shapes, do_not_even_when_they_are_most) {
   SceneDescription d = test::floor_under_point_light(5);
   test::add_shape(d, SphereDescription{{20, 1, 0}, 1}, {}, d.shapes[0].bsdf);
   for (int i = 0; i < 3; ++i) test::add_shape(d, SphereDescription{{1e9, 1e9 + 3.0 * i, 0}, 1}, {}, d.shapes[0].bsdf);
-  for (const std::size_t limit : {small_scene_limit, through_embree}) expect_lit_floor(d, limit, 1e-4, "");
+  for (const std::size_t limit : {brute_force_limit, through_embree}) expect_lit_floor(d, limit, 1e-4, "");
 }
 
 TEST(far_shapes, light_what_is_here) {
@@ -168,7 +168,7 @@ TEST(far_shapes, light_what_is_here) {
   d.emitters.clear();
   const double cos60 = 0.5, sin60 = std::sqrt(0.75);
   test::add_shape(d, SphereDescription{Vec3d{sin60, cos60, 0} * 1e9, 1e7}, {}, d.shapes[0].bsdf).radiance = RgbD(1e4);
-  for (const std::size_t limit : {small_scene_limit, through_embree})
+  for (const std::size_t limit : {brute_force_limit, through_embree})
     EXPECT_NEAR(test::image_mean(test::render(d, "direct", test::job_with(4), limit).image.mean), 0.25, 0.25 * 2e-3);
 }
 
@@ -179,8 +179,8 @@ SceneDescription long_floor(const decltype(ShapeDescription::geometry)& geometry
   d.shapes[0].geometry = geometry;
   d.shapes[0].to_world = turn * Transform::rotate({1, 0, 0}, -90) * Transform::scale(Vec3d(size)) *
                          Transform::translate(Vec3d{shift, shift, 0});
-  auto& lamp = std::get<PointLightDescription>(d.emitters[0].light);
-  lamp.position = turn.point(lamp.position);
+  auto& area_light = std::get<PointLightDescription>(d.emitters[0].light);
+  area_light.position = turn.point(area_light.position);
   d.sensor.to_world = turn * d.sensor.to_world;
   return d;
 }
@@ -196,7 +196,7 @@ TEST(long_triangles, meet_rays_where_they_are) {
         if (k == 0 && shift > 0) continue;               // it would not reach
         if (!(turn == Transform()) && k > 12) continue;  // see below
         const SceneDescription d = long_floor(mesh, 4 * std::pow(10.0, k), shift, turn);
-        for (const std::size_t limit : {small_scene_limit, through_embree})
+        for (const std::size_t limit : {brute_force_limit, through_embree})
           expect_lit_floor(
               d, limit, 1e-3,
               "1e" + std::to_string(k) + " limit " + std::to_string(limit) + " shift " + std::to_string(shift));
@@ -210,7 +210,7 @@ TEST(long_triangles, of_rectangles_heightfields_and_instances_do_too) {
     const double size = 4 * std::pow(10.0, k);
     for (const Transform& turn : {Transform{}, Transform::rotate({0.3, 0.5, 0.8}, 37)}) {
       if (!(turn == Transform()) && k > 12) continue;
-      for (const std::size_t limit : {small_scene_limit, through_embree}) {
+      for (const std::size_t limit : {brute_force_limit, through_embree}) {
         const std::string what = "1e" + std::to_string(k) + " limit " + std::to_string(limit);
         expect_lit_floor(long_floor(RectangleDescription{}, size, 0.01, turn), limit, 1e-3, "rectangle " + what);
         expect_lit_floor(long_floor(flat, size, 0.01, turn), limit, 1e-3, "heightfield " + what);
@@ -257,7 +257,7 @@ TEST(long_triangles, end_where_they_are) {
                         test::add_bsdf(d, DiffuseDescription{}));
         d.emitters.push_back({{}, "", ConstantLightDescription{}});
         test::set_camera(d, turn * Transform::look_at({0, 0, 4}, {0, 0, 0}, {0, 1, 0}), 25, 8);
-        for (const std::size_t limit : {small_scene_limit, through_embree}) {
+        for (const std::size_t limit : {brute_force_limit, through_embree}) {
           const test::Rendered r = test::render(d, "path", test::job_with(64), limit);
           EXPECT_NEAR(test::image_mean(r.image.mean), 0.5, 0.5e-3) << k << " limit " << limit;
         }
@@ -292,7 +292,7 @@ TEST(long_triangles, share_their_edges_without_a_gap) {
   SceneDescription d = long_floor(MeshDescription{MeshDescription::Format::ply, "floor.ply", true, false, mesh}, 1, 0,
                                   Transform::rotate({0.3, 0.5, 0.8}, 37));
   d.sensor.film.width = d.sensor.film.height = 65;
-  for (const std::size_t limit : {small_scene_limit, through_embree}) expect_lit_floor(d, limit, 1e-3, "");
+  for (const std::size_t limit : {brute_force_limit, through_embree}) expect_lit_floor(d, limit, 1e-3, "");
 }
 
 TEST(long_triangles, keep_the_sides_of_mirrored_instances) {

@@ -21,7 +21,7 @@ struct SurfaceDetail {
   std::uint32_t state;
   float chance;
   Vec3f tangent;             ///< unit, perpendicular to `normal`, along dp/du; 0 where the leaf does not ask for it
-  std::uint32_t surface;     ///< its number, and above it the bits of `state` that photons and look-ups share
+  std::uint32_t surface;     ///< its number, and above it the bits of `state` that photons and gathers share
   std::uint32_t bsdf, kind;  ///< bsdf: the leaf, among SceneView::bsdfs; kind: of BsdfKinds
   float record[BsdfKinds::stride];  ///< of the leaf, texture values in it
 

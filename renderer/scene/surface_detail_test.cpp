@@ -58,7 +58,7 @@ SurfaceDetail detail_under(const Scene& scene, float x, float y, float u = 0.5f,
 }
 
 Image image_of(const SceneDescription& d, std::int64_t spp = 16, unsigned threads = 0,
-               std::size_t limit = small_scene_limit) {
+               std::size_t limit = brute_force_limit) {
   RenderJob job = test::job_with(spp);
   if (threads > 0) job.threads = threads;
   return test::render(d, "path", job, limit).image.mean;
@@ -164,7 +164,7 @@ BitmapDescription six_texels(TextureFilter filter = TextureFilter::nearest, cons
   return {"", image, true, filter, TextureWrap::repeat, to_uv};
 }
 
-/// The part of the histories at (x, y) that get the leaf.
+/// The part of the paths at (x, y) that get the leaf.
 double part_of(const Scene& scene, float x, float y, BsdfIndex leaf) {
   constexpr int steps = 1000;
   int hits = 0;
@@ -216,7 +216,7 @@ TEST(detail_image, a_texture_lies_on_a_square_as_it_does_in_its_file) {
 }
 
 TEST(detail_image, a_mask_lets_its_part_of_the_light_behind_it_through) {
-  // A lamp seen straight through the mask: the mean is 1 - opacity of its radiance.
+  // A light seen straight through the mask: the mean is 1 - opacity of its radiance.
   for (const double opacity : {0.0, 0.3, 1.0}) {
     SceneDescription d;
     const BsdfIndex black = test::add_bsdf(d, DiffuseDescription{RgbD(0)});
@@ -288,7 +288,7 @@ TEST(detail_image, is_the_same_in_every_instruction_set_and_through_embree_up_to
   for (const Kernels& kernels : available_kernels()) {
     RenderJob job = test::job_with(64);
     job.isa = kernels.isa;
-    for (const std::size_t limit : {std::size_t{0}, small_scene_limit})
+    for (const std::size_t limit : {std::size_t{0}, brute_force_limit})
       EXPECT_NEAR(test::image_mean(test::render(rich_room(), "path", job, limit).image.mean), expected, 0.01 * expected)
           << kernels.isa << ' ' << limit;
   }

@@ -77,15 +77,15 @@ inline void add_lights(const Room& room, SceneDescription& d) {
   const double u = room.unit;
   const auto at = [&](double x, double y, double z, double size) { return placed(room, x, y, z, size); };
   const BsdfIndex black = add_bsdf(d, DiffuseDescription{RgbD(0)});
-  const auto lamp = [&](const decltype(ShapeDescription::geometry)& geometry, const Transform& to_world) {
+  const auto light = [&](const decltype(ShapeDescription::geometry)& geometry, const Transform& to_world) {
     add_shape(d, geometry, to_world * Transform::rotate({1, 0, 0}, 180), black).radiance = RgbD(3);
   };
-  lamp(RectangleDescription{}, at(-1, -1, 3, 0.3));
-  lamp(SphereDescription{{0, 0, 0}, 1}, at(1, -1, 3, 0.2));
-  lamp(DiskDescription{}, at(1, 1, 3, 0.3));
-  lamp(CylinderDescription{{0, 0, 0}, {0, 0, 1}, 0.3}, at(-1, 1, 3, 0.5));
-  lamp(MeshDescription{MeshDescription::Format::ply, "pyramid.ply", true, false, pyramid(0.3 * u)},
-       Transform::translate(Vec3d{0, 0, 3} * u));
+  light(RectangleDescription{}, at(-1, -1, 3, 0.3));
+  light(SphereDescription{{0, 0, 0}, 1}, at(1, -1, 3, 0.2));
+  light(DiskDescription{}, at(1, 1, 3, 0.3));
+  light(CylinderDescription{{0, 0, 0}, {0, 0, 1}, 0.3}, at(-1, 1, 3, 0.5));
+  light(MeshDescription{MeshDescription::Format::ply, "pyramid.ply", true, false, pyramid(0.3 * u)},
+        Transform::translate(Vec3d{0, 0, 3} * u));
   const RgbD intensity = RgbD(0.5) * (u * u);
   d.emitters.push_back({{}, "", PointLightDescription{Vec3d{2, -2, 2} * u, intensity}});
   SpotLightDescription spot;

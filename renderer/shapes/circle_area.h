@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <span>
 
-#include "renderer/photons/photon_sheet.h"
+#include "renderer/photons/surface_side.h"
 #include "scenes/base/vec.h"
 
 namespace photonproof::inline renderer_shapes {
@@ -23,9 +23,9 @@ double polygon_in_circle(std::span<const PlanePoint> polygon, double radius);
 double polygon_in_circle(std::span<const PlanePoint> polygon, const PlanePoint& middle, double radius);
 
 /// 1 - cosine of the widest angle about a centre or an axis at which a surface of this radius is still accepted by the
-/// sheet's test: its normals and its distance to the tangent plane, `height`, both go by it.
+/// surface side's test: its normals and its distance to the tangent plane, `height`, both go by it.
 inline double accepted_versine(double surface_radius, double height) {
-  return std::min(1 - double{least_sheet_cosine}, height / surface_radius);
+  return std::min(1 - double{least_side_cosine}, height / surface_radius);
 }
 
 }  // namespace photonproof::inline renderer_shapes

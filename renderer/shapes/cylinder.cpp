@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "renderer/lanes/warp.h"
-#include "renderer/photons/photon_sheet.h"
+#include "renderer/photons/surface_side.h"
 #include "renderer/shapes/circle_area.h"
 #include "renderer/shapes/extent.h"
 #include "renderer/shapes/shape_place.h"
@@ -33,9 +33,9 @@ double integrate(double from, double to, const Integrand& f) {
 double hit_distance(const Cylinder& cylinder, const ShapeRay& ray) {
   const Vec3d& axis = cylinder.axis;
   const Vec3d from_base = ray.origin - cylinder.base;
-  const double along = dot(axis, from_base), climb = dot(axis, ray.direction);
+  const double along = dot(axis, from_base), sweep_run = dot(axis, ray.direction);
   // The circle's problem in the plane across the axis.
-  const Vec3d o = from_base - axis * along, d = ray.direction - axis * climb;
+  const Vec3d o = from_base - axis * along, d = ray.direction - axis * sweep_run;
   const double a = dot(d, d);
   if (!(a > 0)) return shape_missed;
   const double middle = -dot(d, o) / a;
@@ -49,13 +49,13 @@ double hit_distance(const Cylinder& cylinder, const ShapeRay& ray) {
   const double largest = radius + largest_coordinate(cylinder.base) + cylinder.length;
   const double nearest_t = std::max(ray.t_near, grain_of_ray(ray, largest));
   const auto meets = [&](double t) {
-    const double height = along + t * climb;
+    const double height = along + t * sweep_run;
     return t >= nearest_t && t <= ray.t_far && height >= 0 && height <= cylinder.length;
   };
   const double near = middle - root, far = middle + root;
   // As of a sphere.
-  if (ray.on_lamp == OnLamp::starts) return meets(2 * middle) ? 2 * middle : shape_missed;
-  if (ray.on_lamp == OnLamp::ends) return meets(near) && middle <= ray.t_far ? near : shape_missed;
+  if (ray.on_light == OnLight::starts) return meets(2 * middle) ? 2 * middle : shape_missed;
+  if (ray.on_light == OnLight::ends) return meets(near) && middle <= ray.t_far ? near : shape_missed;
   return meets(near) ? near : meets(far) ? far : shape_missed;
 }
 

@@ -1,4 +1,4 @@
-// The clipped look-up disc against closed forms and counting.
+// The clipped gather disc against closed forms and counting.
 
 #include <gtest/gtest.h>
 

@@ -22,7 +22,7 @@ Vec2<double> in_basis(const Vec3d& q, const Vec3d& a, const Vec3d& b) {
 }  // namespace
 
 double hit_distance(const Disk& disk, const ShapeRay& ray) {
-  if (ray.on_lamp != OnLamp::no) return shape_missed;
+  if (ray.on_light != OnLight::no) return shape_missed;
   const Vec3d center(disk.center);
   const double t = plane_distance(center, Vec3d(disk.normal), ray);
   if (t < 0) return shape_missed;

@@ -1,4 +1,4 @@
-// What a solid that stands on a flat shape, or is sunk in it, covers of it. No light lands there, so that a look-up
+// What a solid that stands on a flat shape, or is sunk in it, covers of it. No light lands there, so that a gather
 // beside the solid must not count it as area: along the foot of a box half of the light would be missing, however small
 // the radius.
 #pragma once

@@ -37,7 +37,7 @@ bool holds(const LongFace& face, const Vec3d& p, double margin) {
 }
 
 double hit_distance(const LongFace& face, const ShapeRay& ray) {
-  if (ray.on_lamp != OnLamp::no) return shape_missed;
+  if (ray.on_light != OnLight::no) return shape_missed;
   const double t = (face.offset - dot(face.normal, ray.origin)) / dot(face.normal, ray.direction);
   if (!(t > 0 && t >= ray.t_near && t <= ray.t_far)) return shape_missed;
   return holds(face, ray.origin + ray.direction * t, long_face_margin) ? t : shape_missed;

@@ -8,7 +8,7 @@
 #include <optional>
 
 #include "renderer/lanes/lane_trig.h"
-#include "renderer/photons/photon_sheet.h"
+#include "renderer/photons/surface_side.h"
 
 namespace photonproof::inline renderer_shapes {
 namespace {
@@ -159,7 +159,7 @@ std::optional<double> scale_of(const AffineMap& m) {
 
 }  // namespace
 
-struct MeshArea::LookUp {
+struct MeshArea::Gather {
   Vec3f p, normal;
   double radius, height;
   const AffineMap* placement;  ///< null: p is in the mesh's space
@@ -188,7 +188,7 @@ MeshArea::MeshArea(const Mesh& mesh, const Threads& threads) : mesh_(mesh) {
     const float reach = std::sqrt(
         max_component(Vec3f{length_squared(a - middle), length_squared(b - middle), length_squared(c - middle)}));
     items_.push_back(
-        {middle, t, sheet_normal(sheet_word<float>(front, front)), static_cast<float>(twice_area / 2), reach});
+        {middle, t, side_normal(side_word<float>(front, front)), static_cast<float>(twice_area / 2), reach});
   }
   if (items_.empty()) return;
   while ((items_.size() >> leaf_level_) >= most_in_leaf) ++leaf_level_;
@@ -276,9 +276,9 @@ void MeshArea::cut_subtree(int level, std::size_t k) {
   cut_subtree(level + 1, 2 * k + 1);
 }
 
-double MeshArea::visit(const LookUp& at, int level, std::size_t k) const {
+double MeshArea::visit(const Gather& at, int level, std::size_t k) const {
   const Node& node = nodes_[(std::size_t{1} << level) + k];
-  // The node's box about the look-up's point, and how far it reaches along the tangent plane's normal.
+  // The node's box about the gather's point, and how far it reaches along the tangent plane's normal.
   Vec3f middle = (node.low + node.high) * 0.5f, half = (node.high - node.low) * 0.5f;
   if (at.placement != nullptr) {
     const AffineMap& m = *at.placement;
@@ -303,9 +303,9 @@ double MeshArea::visit(const LookUp& at, int level, std::size_t k) const {
   if (at.placement == nullptr && node.cosine > 0) {
     const float c = dot(at.normal, node.axis);
     const float tilt = std::sqrt(std::max(0.0f, 1 - c * c));
-    const bool none_alike = c < node.cosine && c * node.cosine + tilt * node.sine < least_sheet_cosine - margin;
+    const bool none_alike = c < node.cosine && c * node.cosine + tilt * node.sine < least_side_cosine - margin;
     if (none_alike) return 0;
-    const bool all_alike = c > 0 && c * node.cosine - tilt * node.sine > least_sheet_cosine + margin;
+    const bool all_alike = c > 0 && c * node.cosine - tilt * node.sine > least_side_cosine + margin;
     if (all_alike) {
       const Vec3f farthest = distance + half;
       if (length_squared(farthest) <= (radius - slack) * (radius - slack) && above + reach <= height - slack)
@@ -319,14 +319,14 @@ double MeshArea::visit(const LookUp& at, int level, std::size_t k) const {
   return visit_leaf(at, leaves_[k]);
 }
 
-double MeshArea::visit_leaf(const LookUp& at, const Leaf& leaf) const {
+double MeshArea::visit_leaf(const Gather& at, const Leaf& leaf) const {
   const auto radius = static_cast<float>(at.radius), height = static_cast<float>(at.height);
   const float slack = margin * radius;
   enum State : std::int32_t { outside, inside, on_border };
   std::array<std::int32_t, most_in_leaf> state;
   const auto is_alike = [&](const Vec3f& front) {
     const float cosine = dot(front, at.normal);
-    const float least2 = length_squared(front) * (least_sheet_cosine * least_sheet_cosine);
+    const float least2 = length_squared(front) * (least_side_cosine * least_side_cosine);
     return (cosine > 0 ? 1 : 0) & (cosine * cosine >= least2 ? 1 : 0);
   };
   if (at.placement == nullptr) {

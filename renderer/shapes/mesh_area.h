@@ -1,6 +1,7 @@
-// What disc_area (shape.h) is for the other shapes, for triangle meshes: the area of the mesh within the look-up radius
-// whose photons pass the sheet's test. A balanced tree over the triangles, whose nodes know their bounds, their area
-// and a cone of their normals, so that a look-up takes or leaves most nodes whole; triangles on the border are clipped.
+// What disc_area (shape.h) is for the other shapes, for triangle meshes: the area of the mesh within the gather radius
+// whose photons pass the surface side's test. A balanced tree over the triangles, whose nodes know their bounds, their
+// area and a cone of their normals, so that a gather takes or leaves most nodes whole; triangles on the border are
+// clipped.
 #pragma once
 
 #include <array>
@@ -17,7 +18,7 @@ class MeshArea {
   /// `mesh` must outlive this. The same at any number of threads.
   MeshArea(const Mesh& mesh, const Threads& threads);
 
-  /// For a look-up at p of the mesh's own space with the unit front normal there. Exact but for triangles and flat
+  /// For a gather at p of the mesh's own space with the unit front normal there. Exact but for triangles and flat
   /// groups of them that are smaller than a sixteenth of the radius: those on the border count whole where their middle
   /// is within, which is right in the mean.
   double within(const Vec3f& p, const Vec3f& front_normal, float radius) const;
@@ -31,7 +32,7 @@ class MeshArea {
   struct Item {
     Vec3f middle;
     std::uint32_t triangle = 0;
-    Vec3f front;  ///< sheet_normal, not unit
+    Vec3f front;  ///< side_normal, not unit
     float area = 0;
     float reach = 0;  ///< of its corners, from the middle
   };
@@ -49,14 +50,14 @@ class MeshArea {
     std::array<float, most_in_leaf> x{}, y{}, z{}, front_x{}, front_y{}, front_z{}, area{}, reach{};
     std::array<std::uint32_t, most_in_leaf> triangle{};
   };
-  struct LookUp;
+  struct Gather;
 
   std::size_t begin_of(int level, std::size_t k) const { return (items_.size() * k) >> level; }
   void cut_subtree(int level, std::size_t k);
   void bound(int level, std::size_t k);
   void fill(std::size_t leaf);
-  double visit(const LookUp& at, int level, std::size_t k) const;
-  double visit_leaf(const LookUp& at, const Leaf& leaf) const;
+  double visit(const Gather& at, int level, std::size_t k) const;
+  double visit_leaf(const Gather& at, const Leaf& leaf) const;
 
   const Mesh& mesh_;
   int leaf_level_ = 0;

@@ -1,4 +1,4 @@
-// The areas that look-ups on meshes divide by, against the shapes that the meshes make up and against counting.
+// The areas that gathers on meshes divide by, against the shapes that the meshes make up and against counting.
 
 #include "renderer/shapes/mesh_area.h"
 
@@ -103,13 +103,13 @@ TEST(mesh_area, of_a_fine_sphere_is_nearly_the_spheres) {
 }
 
 TEST(mesh_area, of_any_triangles_is_what_counting_finds) {
-  // A crumpled sheet of large triangles, and a heap of triangles of all sizes.
+  // A crumpled surface side of large triangles, and a heap of triangles of all sizes.
   MeshDescription crumpled = test::square_mesh(6);
   auto heap = std::make_shared<TriangleMesh>();
-  auto sheet = std::make_shared<TriangleMesh>(*crumpled.mesh);
+  auto surface_side = std::make_shared<TriangleMesh>(*crumpled.mesh);
   test::Random s(63);
-  for (Vec3f& p : sheet->positions) p.z = 0.2f * s.next();
-  crumpled.mesh = sheet;
+  for (Vec3f& p : surface_side->positions) p.z = 0.2f * s.next();
+  crumpled.mesh = surface_side;
   heap->resize_positions(1200);
   for (std::uint32_t t = 0; t < 400; ++t) {
     const Vec3f middle{s.next() - 0.5f, s.next() - 0.5f, 0.2f * s.next()};
@@ -152,7 +152,7 @@ TEST(mesh_area, of_an_instance_is_that_of_the_mesh_where_it_is) {
         to_world.determinant() < 0;  // an instance's normals stay outside, a mirrored mesh's winding does not
     const MeshArea own(placed, Threads(1));
     double mean = 0;
-    int look_ups = 0;
+    int gathers = 0;
     for (std::uint32_t t = 0; t < local.triangle_count(); t += 37) {
       const Vec3f p = (placed.corner(t, 0) + placed.corner(t, 1) + placed.corner(t, 2)) * (1.0f / 3);
       const Vec3f normal = normalize(placement.normal(normal_of(local, t)));
@@ -160,10 +160,10 @@ TEST(mesh_area, of_an_instance_is_that_of_the_mesh_where_it_is) {
         const double ratio = shared.within(placement, p, normal, radius) / own.within(p, normal, radius);
         EXPECT_NEAR(ratio, 1, 0.06);  // some of the few triangles in a disc may be just as steep as is allowed
         mean += ratio;
-        ++look_ups;
+        ++gathers;
       }
     }
-    EXPECT_NEAR(mean / look_ups, 1, 0.003);
+    EXPECT_NEAR(mean / gathers, 1, 0.003);
   }
 }
 

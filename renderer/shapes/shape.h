@@ -6,9 +6,9 @@
 //   box_around(shape)             a box that holds it; of an infinite shape an empty one
 //   local_geometry(shape, frame, p, normal)   at its point p; `frame` maps its own space, where it is of unit size, to
 //                                 the world's
-//   disc_area(shape, p, radius)   p on it: the area of the part of it whose photons a look-up counts, those within the
-//                                 radius that pass the sheet's test (photon_sheet.h). Dividing by it instead of the
-//                                 full disc removes most of the darkening along edges
+//   disc_area(shape, p, radius)   p on it: the area of the part of it whose photons a gather counts, those within the
+//                                 radius that pass the surface side's test (photon_sheet.h). Dividing by it instead of
+//                                 the full disc removes most of the darkening along edges
 //   curvature_radius()            the least radius of curvature; infinite where it is flat
 //   is_round                      whether it is curved so that a ray meets its front once
 //   sees_itself(both_sides)       whether light that leaves its front, or both sides, can meet it again
@@ -35,14 +35,14 @@ struct ShapePlace;
 template <class Shape>
 struct PlacedShape;
 
-/// What is known of a ray, whatever single precision makes of its ends: that the shape it is asked of is the lamp that
-/// it leaves, or the lamp where it ends at t = 1, on the front.
-enum class OnLamp { no, starts, ends };
+/// What is known of a ray, whatever single precision makes of its ends: that the shape it is asked of is the light that
+/// it leaves, or the light where it ends at t = 1, on the front.
+enum class OnLight { no, starts, ends };
 
 struct ShapeRay {
   Vec3d origin, direction;  ///< direction of any length
   double t_near = 0, t_far = 0;
-  OnLamp on_lamp = OnLamp::no;
+  OnLight on_light = OnLight::no;
 };
 
 /// What hit_distance says of a ray that does not meet the shape.

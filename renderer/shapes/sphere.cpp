@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "renderer/lanes/warp.h"
-#include "renderer/photons/photon_sheet.h"
+#include "renderer/photons/surface_side.h"
 #include "renderer/shapes/circle_area.h"
 #include "renderer/shapes/extent.h"
 #include "renderer/shapes/shape_place.h"
@@ -28,9 +28,9 @@ double hit_distance(const Sphere& sphere, const ShapeRay& ray) {
   const double nearest_t = std::max(ray.t_near, grain_of_ray(ray, radius + largest_coordinate(sphere.center)));
   const double middle = b / a, t0 = middle - root;
   // What leaves the inner side meets the other end of its chord; an end on the front is hidden by the near side alone.
-  if (ray.on_lamp == OnLamp::starts)
+  if (ray.on_light == OnLight::starts)
     return 2 * middle >= nearest_t && 2 * middle <= ray.t_far ? 2 * middle : shape_missed;
-  if (ray.on_lamp == OnLamp::ends) return t0 >= nearest_t && middle <= ray.t_far ? t0 : shape_missed;
+  if (ray.on_light == OnLight::ends) return t0 >= nearest_t && middle <= ray.t_far ? t0 : shape_missed;
   if (t0 >= nearest_t && t0 <= ray.t_far) return t0;
   const double t1 = middle + root;
   if (t1 >= nearest_t && t1 <= ray.t_far) return t1;

@@ -23,7 +23,7 @@ const Mesh* mesh_of(const Geometry& geometry) {
   return std::get_if<Mesh>(&geometry);
 }
 
-std::vector<std::uint32_t> lamp_faces(const std::vector<Surface>& surfaces) {
+std::vector<std::uint32_t> light_faces(const std::vector<Surface>& surfaces) {
   std::vector<std::uint32_t> first(surfaces.size(), no_index);
   std::size_t faces = 0;
   for (std::size_t i = 0; i < surfaces.size(); ++i) {
@@ -32,7 +32,7 @@ std::vector<std::uint32_t> lamp_faces(const std::vector<Surface>& surfaces) {
     const Mesh* mesh = mesh_of(surfaces[i].geometry);
     faces += mesh != nullptr ? mesh->triangle_count() : 1;
   }
-  if (faces >= lamp_at_end) throw std::length_error("the lamps have more than 2^30 faces");
+  if (faces >= light_at_end) throw std::length_error("the lights have more than 2^30 faces");
   return first;
 }
 

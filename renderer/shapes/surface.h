@@ -66,8 +66,8 @@ struct Surface {
   const LongFace* long_face(std::size_t primitive) const { return find_long_face(long_faces, primitive); }
 };
 
-/// Of each surface the number of its first face among those of all lamps, which are the triangles of meshes and other
+/// Of each surface the number of its first face among those of all lights, which are the triangles of meshes and other
 /// shapes as a whole; no_index where it does not emit.
-std::vector<std::uint32_t> lamp_faces(const std::vector<Surface>& surfaces);
+std::vector<std::uint32_t> light_faces(const std::vector<Surface>& surfaces);
 
 }  // namespace photonproof::inline renderer_shapes

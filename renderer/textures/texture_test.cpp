@@ -1,4 +1,4 @@
-// Texture look-ups: filters, wrapping, orientation, transforms, gradients. Expected numbers are worked out by hand.
+// Texture gathers: filters, wrapping, orientation, transforms, gradients. Expected numbers are worked out by hand.
 
 #include "renderer/textures/texture.h"
 

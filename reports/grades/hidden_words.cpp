@@ -31,7 +31,7 @@ constexpr std::array<Words, 4> flagged{
      {"copies-found", "an earlier run's image comes back, whatever the seed: images that are found are copied"}}};
 
 // Kinds of findings (harness/diagnosis) that say nothing about what a scene holds: any scene has pixels, and light that
-// comes from lamps directly or after bounces.
+// comes from lights directly or after bounces.
 struct Mistake {
   std::string_view kind, sentence, cause;
 };

@@ -106,15 +106,15 @@ class SampleClass {
       scene.timed = scene.name != "3";
       add_scene(scene);
     }
-    GradedScene mirror = named_scene("hidden-mirror", true), lamps = named_scene("secret-lamps", true);
+    GradedScene mirror = named_scene("hidden-mirror", true), lights = named_scene("secret-lamps", true);
     mirror.of = "1";
     mirror.variant = "mirror";
     mirror.says = "left and right change places";
     add_scene(mirror);
-    lamps.of = "2";
-    lamps.variant = "more-spheres";
-    lamps.says = "two lamps above the pool";
-    add_scene(lamps);
+    lights.of = "2";
+    lights.variant = "more-spheres";
+    lights.says = "two lamps above the pool";
+    add_scene(lights);
   }
 
   /// A submission that built, with right images and these times, a round: baseline and own.

@@ -8,12 +8,12 @@
 
 namespace photonproof::inline reports_stress {
 
-inline constexpr std::array rung_outcome_words{"right",     "degraded",       "refused",
-                                               "undecided", "silently wrong", "crashed"};
-inline std::span<const char* const> words_of(RungOutcome) { return rung_outcome_words; }
+inline constexpr std::array level_outcome_words{"right",     "degraded",       "refused",
+                                                "undecided", "silently wrong", "crashed"};
+inline std::span<const char* const> words_of(LevelOutcome) { return level_outcome_words; }
 
 template <class V>
-void describe(V& v, StressRung& r) {
+void describe(V& v, StressLevel& r) {
   v.record("rung");
   v.field("height", r.height);
   v.field("outcome", r.outcome);
@@ -26,15 +26,15 @@ void describe(V& v, StressRung& r) {
 }
 
 template <class V>
-void describe(V& v, StressLadder& r) {
-  v.record("ladder", "one ladder climbed by one engine, up to the first rung that fails or is refused");
+void describe(V& v, StressSweep& r) {
+  v.record("ladder", "one sweep climbed by one engine, up to the first level that fails or is refused");
   v.field("feature", r.feature);
-  v.field("climb", r.climb);
+  v.field("climb", r.sweep_run);
   v.field("engine", r.engine);
   v.field("measure", r.measure, {.says = "what a height is: a unit of length of 10^k"});
   v.field("wanted", r.wanted, {.says = "the height that should be right"});
-  v.field("rungs", r.rungs);
-  v.maybe("not_climbed", r.not_climbed, {.says = "why the engine does not render the feature"});
+  v.field("rungs", r.levels);
+  v.maybe("not_climbed", r.not_swept, {.says = "why the engine does not render the feature"});
   v.derived("right_up_to", r.right_up_to());
   v.derived("breakdown", r.breakdown() ? std::optional(r.breakdown()->height) : std::nullopt);
 }
@@ -52,7 +52,7 @@ void describe(V& v, StressRecord& r) {
   v.field("quick", r.quick);
   v.field("interrupted", r.interrupted);
   v.field("seconds", r.seconds);
-  v.field("ladders", r.ladders);
+  v.field("ladders", r.sweeps);
 }
 
 }  // namespace photonproof::inline reports_stress

@@ -15,13 +15,13 @@
 namespace photonproof::inline reports_stress {
 namespace {
 
-int rank(RungOutcome outcome) {
+int rank(LevelOutcome outcome) {
   switch (outcome) {
-    case RungOutcome::right:
+    case LevelOutcome::right:
       return 3;
-    case RungOutcome::degraded:
+    case LevelOutcome::degraded:
       return 2;
-    case RungOutcome::refused:
+    case LevelOutcome::refused:
       return 1;
     default:
       return 0;
@@ -30,43 +30,43 @@ int rank(RungOutcome outcome) {
 
 }  // namespace
 
-std::string to_string(RungOutcome outcome) { return word_of(outcome); }
+std::string to_string(LevelOutcome outcome) { return word_of(outcome); }
 
-const StressRung* StressLadder::breakdown() const {
-  for (const StressRung& rung : rungs)
-    if (is_failure(rung.outcome)) return &rung;
+const StressLevel* StressSweep::breakdown() const {
+  for (const StressLevel& level : levels)
+    if (is_failure(level.outcome)) return &level;
   return nullptr;
 }
 
-std::optional<double> StressLadder::right_up_to() const {
+std::optional<double> StressSweep::right_up_to() const {
   std::optional<double> height;
-  for (const StressRung& rung : rungs) {
-    if (rung.outcome != RungOutcome::right) break;
-    height = rung.height;
+  for (const StressLevel& level : levels) {
+    if (level.outcome != LevelOutcome::right) break;
+    height = level.height;
   }
   return height;
 }
 
-bool StressLadder::reaches_wanted() const {
-  return std::all_of(rungs.begin(), rungs.end(), [&](const StressRung& rung) {
-    return rung.height > wanted || rung.outcome == RungOutcome::right;
+bool StressSweep::reaches_wanted() const {
+  return std::all_of(levels.begin(), levels.end(), [&](const StressLevel& level) {
+    return level.height > wanted || level.outcome == LevelOutcome::right;
   });
 }
 
-std::size_t StressRecord::count(RungOutcome outcome) const {
+std::size_t StressRecord::count(LevelOutcome outcome) const {
   std::size_t n = 0;
-  for (const StressLadder& ladder : ladders)
-    for (const StressRung& rung : ladder.rungs) n += rung.outcome == outcome ? 1 : 0;
+  for (const StressSweep& sweep : sweeps)
+    for (const StressLevel& level : sweep.levels) n += level.outcome == outcome ? 1 : 0;
   return n;
 }
 
-std::string rung_text(const StressRung& rung) { return json_text(record_json(rung)) + "\n"; }
+std::string level_text(const StressLevel& level) { return json_text(record_json(level)) + "\n"; }
 
-std::optional<StressRung> rung_from_text(const std::string& text) try {
+std::optional<StressLevel> level_from_text(const std::string& text) try {
   RecordSource source{"rung"};
-  StressRung rung = read_record<StressRung>(parse_record(text, source.file), source);
+  StressLevel level = read_record<StressLevel>(parse_record(text, source.file), source);
   refuse_files_outside(source.files);
-  return rung;
+  return level;
 } catch (const InputError&) {
   return std::nullopt;
 }
@@ -84,38 +84,38 @@ StressRecord read_stress_record(const std::filesystem::path& file) {
 
 namespace {
 
-/// What is known of a height: its rung; beyond the last, how that ended the climb; below one that is right, as a quick
+/// What is known of a height: its level; beyond the last, how that ended the climb; below one that is right, as a quick
 /// climb begins there, right.
-std::optional<StressRung> rung_at(const StressLadder& ladder, double height) {
-  for (const StressRung& rung : ladder.rungs)
-    if (rung.height == height) return rung;
-  if (ladder.rungs.empty()) return std::nullopt;
-  StressRung last = ladder.rungs.back();
-  if (height > last.height && (is_failure(last.outcome) || last.outcome == RungOutcome::refused)) return last;
-  const std::optional<double> right = ladder.right_up_to();
+std::optional<StressLevel> level_at(const StressSweep& sweep, double height) {
+  for (const StressLevel& level : sweep.levels)
+    if (level.height == height) return level;
+  if (sweep.levels.empty()) return std::nullopt;
+  StressLevel last = sweep.levels.back();
+  if (height > last.height && (is_failure(last.outcome) || last.outcome == LevelOutcome::refused)) return last;
+  const std::optional<double> right = sweep.right_up_to();
   if (!right || height > *right) return std::nullopt;
-  last.outcome = RungOutcome::right;
+  last.outcome = LevelOutcome::right;
   return last;
 }
 
-bool is_worse(const StressRung& now, const StressRung& before) {
-  return before.outcome != RungOutcome::undecided && now.outcome != RungOutcome::undecided &&
+bool is_worse(const StressLevel& now, const StressLevel& before) {
+  return before.outcome != LevelOutcome::undecided && now.outcome != LevelOutcome::undecided &&
          rank(now.outcome) < rank(before.outcome);
 }
 
-std::vector<std::string> steps_of_ladder(const StressLadder& old, const StressLadder& now) {
+std::vector<std::string> steps_of_sweep(const StressSweep& old, const StressSweep& now) {
   std::set<double> heights;
-  for (const StressLadder* ladder : {&old, &now})
-    for (const StressRung& rung : ladder->rungs) heights.insert(rung.height);
+  for (const StressSweep* sweep : {&old, &now})
+    for (const StressLevel& level : sweep->levels) heights.insert(level.height);
   std::vector<std::string> sentences;
   std::optional<double> told;  // a climb that ended is told once
   for (const double height : heights) {
-    const std::optional<StressRung> before = rung_at(old, height), rung = rung_at(now, height);
-    if (!before || !rung || !is_worse(*rung, *before) || told == rung->height) continue;
-    told = rung->height;
-    sentences.push_back(fmt::format("{}, {}, {}, k = {:g}: {} before, now {}: {}", now.feature, now.climb, now.engine,
-                                    rung->height, to_string(before->outcome), to_string(rung->outcome),
-                                    rung->sentence));
+    const std::optional<StressLevel> before = level_at(old, height), level = level_at(now, height);
+    if (!before || !level || !is_worse(*level, *before) || told == level->height) continue;
+    told = level->height;
+    sentences.push_back(fmt::format("{}, {}, {}, k = {:g}: {} before, now {}: {}", now.feature, now.sweep_run,
+                                    now.engine, level->height, to_string(before->outcome), to_string(level->outcome),
+                                    level->sentence));
   }
   return sentences;
 }
@@ -124,12 +124,12 @@ std::vector<std::string> steps_of_ladder(const StressLadder& old, const StressLa
 
 std::vector<std::string> steps_back(const StressRecord& old, const StressRecord& now) {
   std::vector<std::string> sentences;
-  for (const StressLadder& ladder : now.ladders) {
-    const auto before = std::find_if(old.ladders.begin(), old.ladders.end(), [&](const StressLadder& other) {
-      return other.feature == ladder.feature && other.climb == ladder.climb && other.engine == ladder.engine;
+  for (const StressSweep& sweep : now.sweeps) {
+    const auto before = std::find_if(old.sweeps.begin(), old.sweeps.end(), [&](const StressSweep& other) {
+      return other.feature == sweep.feature && other.sweep_run == sweep.sweep_run && other.engine == sweep.engine;
     });
-    if (before == old.ladders.end()) continue;
-    const std::vector<std::string> own = steps_of_ladder(*before, ladder);
+    if (before == old.sweeps.end()) continue;
+    const std::vector<std::string> own = steps_of_sweep(*before, sweep);
     sentences.insert(sentences.end(), own.begin(), own.end());
   }
   return sentences;

@@ -12,38 +12,38 @@
 namespace photonproof::inline reports_stress {
 namespace {
 
-StressRecord record_with(const std::vector<RungOutcome>& outcomes) {
+StressRecord record_with(const std::vector<LevelOutcome>& outcomes) {
   StressRecord record;
   record.created = "2026-11-23T12:00:00Z";
   record.program = "photonproof 1";
   record.checksum = "0123";
   record.command = "photonproof stress -o out";
-  StressLadder ladder;
-  ladder.feature = "shape sphere";
-  ladder.climb = "scale up";
-  ladder.engine = "path";
-  ladder.measure = "10^k";
-  ladder.wanted = 6;
+  StressSweep sweep;
+  sweep.feature = "shape sphere";
+  sweep.sweep_run = "scale up";
+  sweep.engine = "path";
+  sweep.measure = "10^k";
+  sweep.wanted = 6;
   double height = 3;
-  for (const RungOutcome outcome : outcomes) {
-    ladder.rungs.push_back({height, outcome, "so", 0.01, 0.5, "", ""});
+  for (const LevelOutcome outcome : outcomes) {
+    sweep.levels.push_back({height, outcome, "so", 0.01, 0.5, "", ""});
     height += 3;
   }
-  record.ladders.push_back(ladder);
+  record.sweeps.push_back(sweep);
   return record;
 }
 
-using enum RungOutcome;
+using enum LevelOutcome;
 
 TEST(stress_records, read_back_as_they_were_written) {
   const ScratchFolder folder("stress-record");
   const auto file = folder.path() / "stress.json";
   write_stress_record(record_with({right, degraded, silently_wrong}), file);
   const StressRecord read = read_stress_record(file);
-  ASSERT_EQ(read.ladders.size(), 1u);
-  ASSERT_EQ(read.ladders[0].rungs.size(), 3u);
-  EXPECT_EQ(read.ladders[0].rungs[2].outcome, silently_wrong);
-  EXPECT_EQ(read.ladders[0].rungs[1].would_see, 0.01);
+  ASSERT_EQ(read.sweeps.size(), 1u);
+  ASSERT_EQ(read.sweeps[0].levels.size(), 3u);
+  EXPECT_EQ(read.sweeps[0].levels[2].outcome, silently_wrong);
+  EXPECT_EQ(read.sweeps[0].levels[1].would_see, 0.01);
   EXPECT_EQ(read.command, "photonproof stress -o out");
   EXPECT_TRUE(read.fails());
 }
@@ -59,34 +59,34 @@ TEST(stress_records, that_are_none_are_one_error) {
     write_file_atomically(folder.path() / "stress.json", text);
     EXPECT_THROW(read_stress_record(folder.path() / "stress.json"), InputError) << text;
   }
-  EXPECT_FALSE(rung_from_text("{\"height\": 3}"));
+  EXPECT_FALSE(level_from_text("{\"height\": 3}"));
 }
 
 TEST(stress_records, name_no_picture_outside_of_their_folder) {
-  StressRung rung{3, right, "so", 0.01, 0.5, "pictures/a.png", ""};
-  EXPECT_TRUE(rung_from_text(rung_text(rung)));
-  rung.picture = "../a.png";
-  EXPECT_FALSE(rung_from_text(rung_text(rung)));
-  rung.picture = "";
-  rung.expected = "/srv/a.png";
-  EXPECT_FALSE(rung_from_text(rung_text(rung)));
+  StressLevel level{3, right, "so", 0.01, 0.5, "pictures/a.png", ""};
+  EXPECT_TRUE(level_from_text(level_text(level)));
+  level.picture = "../a.png";
+  EXPECT_FALSE(level_from_text(level_text(level)));
+  level.picture = "";
+  level.expected = "/srv/a.png";
+  EXPECT_FALSE(level_from_text(level_text(level)));
 }
 
-TEST(ladders, break_at_their_first_failure) {
-  const StressLadder broken = record_with({right, right, silently_wrong}).ladders[0];
+TEST(sweeps, break_at_their_first_failure) {
+  const StressSweep broken = record_with({right, right, silently_wrong}).sweeps[0];
   ASSERT_NE(broken.breakdown(), nullptr);
   EXPECT_EQ(broken.breakdown()->height, 9);
   EXPECT_EQ(broken.right_up_to(), 6);
   EXPECT_TRUE(broken.reaches_wanted());
-  EXPECT_EQ(reports::ladder_words(broken), "6, silently wrong at 9");
-  const StressLadder ending = record_with({right, refused}).ladders[0];
+  EXPECT_EQ(reports::sweep_words(broken), "6, silently wrong at 9");
+  const StressSweep ending = record_with({right, refused}).sweeps[0];
   EXPECT_EQ(ending.breakdown(), nullptr);
   EXPECT_FALSE(ending.reaches_wanted());
-  EXPECT_EQ(reports::ladder_words(ending), "3, refused from 6");
-  EXPECT_EQ(reports::ladder_words(record_with({right, right}).ladders[0]), "all (6)");
+  EXPECT_EQ(reports::sweep_words(ending), "3, refused from 6");
+  EXPECT_EQ(reports::sweep_words(record_with({right, right}).sweeps[0]), "all (6)");
 }
 
-TEST(steps_back, are_rungs_that_did_better_before) {
+TEST(steps_back, are_levels_that_did_better_before) {
   const StressRecord before = record_with({right, right, refused});
   EXPECT_TRUE(steps_back(before, before).empty());
   EXPECT_TRUE(steps_back(record_with({right, silently_wrong}), before).empty());
@@ -95,9 +95,9 @@ TEST(steps_back, are_rungs_that_did_better_before) {
   EXPECT_TRUE(steps_back(before, record_with({right})).empty());
 }
 
-TEST(steps_back, are_seen_from_a_quick_climb_that_had_the_wanted_height_alone) {
+TEST(steps_back, are_seen_from_a_quick_sweep_run_that_had_the_wanted_height_alone) {
   StressRecord quick = record_with({right, right, right});
-  quick.ladders[0].rungs.erase(quick.ladders[0].rungs.begin(), quick.ladders[0].rungs.begin() + 2);
+  quick.sweeps[0].levels.erase(quick.sweeps[0].levels.begin(), quick.sweeps[0].levels.begin() + 2);
   const std::vector<std::string> sentences = steps_back(quick, record_with({right, silently_wrong}));
   ASSERT_EQ(sentences.size(), 1u);
   EXPECT_EQ(sentences[0], "shape sphere, scale up, path, k = 6: right before, now silently wrong: so");
@@ -107,10 +107,10 @@ TEST(steps_back, are_seen_from_a_quick_climb_that_had_the_wanted_height_alone) {
   EXPECT_TRUE(steps_back(record_with({right, silently_wrong}), quick).empty());
 }
 
-TEST(stress_pages, hold_the_ladders_and_no_markup_of_others) {
+TEST(stress_pages, hold_the_sweeps_and_no_markup_of_others) {
   const ScratchFolder folder("stress-page");
   StressRecord record = record_with({right, silently_wrong});
-  record.ladders[0].rungs[1].sentence = "<script>alert(1)</script>";
+  record.sweeps[0].levels[1].sentence = "<script>alert(1)</script>";
   reports::write_stress_page(record, {"worse"}, folder.path(), folder.path() / "stress.html");
   const std::string page = read_file(folder.path() / "stress.html");
   EXPECT_NE(page.find("shape sphere"), std::string::npos);
@@ -120,29 +120,29 @@ TEST(stress_pages, hold_the_ladders_and_no_markup_of_others) {
 
 TEST(stress_tables, in_markdown_have_a_column_for_every_engine) {
   StressRecord record = record_with({right, silently_wrong});
-  StressLadder other = record.ladders[0];
+  StressSweep other = record.sweeps[0];
   other.engine = "povray";
-  other.rungs[1].outcome = right;
-  record.ladders.push_back(other);
+  other.levels[1].outcome = right;
+  record.sweeps.push_back(other);
   EXPECT_NE(reports::stress_markdown(record).find("| shape sphere | scale up | 6 | 3, silently wrong at 6 | all (6) |"),
             std::string::npos)
       << reports::stress_markdown(record);
   // Four features have one row, of the one that ends lowest.
   for (const char* feature : {"shape cube", "shape disk", "shape plane"}) {
-    StressLadder more = record_with({right, right}).ladders[0];
+    StressSweep more = record_with({right, right}).sweeps[0];
     more.feature = feature;
-    record.ladders.push_back(more);
+    record.sweeps.push_back(more);
   }
   EXPECT_NE(reports::stress_markdown(record).find("| scale up | 3 (shape sphere of 4; 1 silently wrong) | 6 ("),
             std::string::npos)
       << reports::stress_markdown(record);
 }
 
-TEST(stress_tables, in_markdown_do_not_take_a_short_ladder_that_is_right_to_its_top_for_a_broken_one) {
+TEST(stress_tables, in_markdown_do_not_take_a_short_sweep_that_is_right_to_its_top_for_a_broken_one) {
   StressRecord record = record_with({right, right, silently_wrong});
   for (const char* feature : {"shape cube", "shape disk", "shape plane"}) {
-    record.ladders.push_back(record_with({right}).ladders[0]);
-    record.ladders.back().feature = feature;
+    record.sweeps.push_back(record_with({right}).sweeps[0]);
+    record.sweeps.back().feature = feature;
   }
   EXPECT_NE(reports::stress_markdown(record).find("| scale up | 6 (shape sphere of 4; 1 silently wrong) |"),
             std::string::npos)

@@ -18,7 +18,7 @@ constexpr std::pair<const char*, Fault> names[] = {
     {"missing-caustic", Fault::missing_caustic},
     {"half-photons", Fault::half_photons},
     {"uniform-diffuse", Fault::uniform_diffuse},
-    {"part-of-lamp", Fault::part_of_lamp},
+    {"part-of-lamp", Fault::part_of_light},
     {"unweighted-hits", Fault::unweighted_hits},
     {"unpaid-roulette", Fault::unpaid_roulette},
     {"dim-caustic", Fault::dim_caustic},

@@ -14,8 +14,8 @@ enum class Fault {
   missing_caustic,    ///< light that comes by mirrors or glass is lost after a diffuse surface
   half_photons,       ///< half the photons that were asked for are traced
   uniform_diffuse,    ///< a diffuse surface scatters evenly over the hemisphere, with a cosine's density and weight
-  part_of_lamp,       ///< points are drawn on nine tenths of a rectangular lamp, with the density of all of it
-  unweighted_hits,    ///< lamps that are hit count in full, though sampled lamps are weighted against that
+  part_of_light,      ///< points are drawn on nine tenths of a rectangular light, with the density of all of it
+  unweighted_hits,    ///< lights that are hit count in full, though sampled lights are weighted against that
   unpaid_roulette,    ///< what survives roulette does not carry the light of what does not
   dim_caustic,        ///< caustic photons carry 5 % too little
   density_radius,     ///< photons are divided by the area of a radius 10 % larger than they are looked for in

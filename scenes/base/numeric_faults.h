@@ -13,7 +13,7 @@ enum class NumericFault {
   float_faces,      ///< what is huge is met in single precision as all else
   float_sphere,     ///< rays meet spheres in single precision
   float_cylinder,   ///< rays meet cylinders so
-  lost_height,      ///< a cylindrical lamp's height is the difference of two that keep no digits of it
+  lost_height,      ///< a cylindrical light's height is the difference of two that keep no digits of it
   far_periods,      ///< textures do not leave out whole periods before they round
   fixed_step,       ///< rays leave surfaces by one length, whatever their coordinates
   unclamped_metal,  ///< indices of metals go to where their fourth powers leave single precision

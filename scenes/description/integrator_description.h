@@ -134,8 +134,8 @@ void describe(P& p, PhotonMapperDescription& d) {
   describe_limits(p, d);
   p.integer("global_photons", d.global_photons, 0, most, "emitted for the global map; 0: a quarter of the samples");
   p.integer("caustic_photons", d.caustic_photons, 0, most, "emitted for the caustic map; 0: a quarter of the samples");
-  p.number("global_radius", d.global_radius, radius, "of a look-up, scene units");
-  p.number("caustic_radius", d.caustic_radius, radius, "of a look-up, scene units");
+  p.number("global_radius", d.global_radius, radius, "of a gather, scene units");
+  p.number("caustic_radius", d.caustic_radius, radius, "of a gather, scene units");
   p.choice("indirect", d.indirect, indirect_words,
            "light between diffuse surfaces: photons of the global map looked up at the first of them, one bounce "
            "further, or that at few points, between which is interpolated; path tracing; map or path as a pilot says");

@@ -24,8 +24,8 @@ TEST(spectrum, of_an_emission_alike_at_all_wavelengths_is_the_equal_energy_white
   expect_near(rgb_of_spectrum({{300, 2}, {900, 2}}, SpectrumKind::emission), 2 * white, 4e-3);
 }
 
-TEST(spectrum, of_the_cornell_boxs_lamp_is_orange) {
-  // The lamp of Mitsuba's Cornell box; the numbers come from a second implementation of the rule (in Python, in double
+TEST(spectrum, of_the_cornell_boxs_light_is_orange) {
+  // The light of Mitsuba's Cornell box; the numbers come from a second implementation of the rule (in Python, in double
   // precision, with the wavelengths found by bisection).
   expect_near(rgb_of_spectrum({{400, 0}, {500, 8}, {600, 15.6}, {700, 18.4}}, SpectrumKind::emission),
               RgbD(20.7108371793152, 10.854634321204234, 2.7711518204657413), 1e-9);

@@ -46,7 +46,7 @@ struct BitmapDescription {
   bool raw = false;                    ///< 8-bit values are numbers, not sRGB
   TextureFilter filter = TextureFilter::bilinear;
   TextureWrap wrap = TextureWrap::repeat;
-  Transform to_uv;  ///< applied to uv before the look-up; its x and y rows count
+  Transform to_uv;  ///< applied to uv before the lookup; its x and y rows count
   friend bool operator==(const BitmapDescription& a, const BitmapDescription& b) {
     return a.filename == b.filename && a.raw == b.raw && a.filter == b.filter && a.wrap == b.wrap && a.to_uv == b.to_uv;
   }
@@ -62,7 +62,7 @@ void describe(P& p, BitmapDescription& d) {
   p.choice("wrap_mode", d.wrap,
            {{"repeat", TextureWrap::repeat}, {"mirror", TextureWrap::mirror}, {"clamp", TextureWrap::clamp}},
            "beyond the unit square");
-  p.transform("to_uv", d.to_uv, "applied to uv before the look-up");
+  p.transform("to_uv", d.to_uv, "applied to uv before the lookup");
 }
 
 /// Two colours in turn on squares of half a unit of uv: color0 where both halves agree.
@@ -77,7 +77,7 @@ void describe(P& p, CheckerboardDescription& d) {
   p.plugin("checkerboard", "squares of half a unit of uv");
   p.colour_map("color0", d.color0, scene_xml::kNotNegative, "where both halves agree");
   p.colour_map("color1", d.color1, scene_xml::kNotNegative, "elsewhere");
-  p.transform("to_uv", d.to_uv, "applied to uv before the look-up");
+  p.transform("to_uv", d.to_uv, "applied to uv before the lookup");
 }
 
 struct TextureDescription {

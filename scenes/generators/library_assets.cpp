@@ -100,7 +100,7 @@ void write_coarse_sky(const fs::path& target) {
 }
 
 /// A pyramid upside down: base [-0.3,0.3]^2 at y = 2.5, tip at (0,2.25,0), faces outward.
-void write_lamp_mesh(const fs::path& target) {
+void write_light_mesh(const fs::path& target) {
   write_file_atomically(target,
                         "# A pyramid upside down, made by `photonproof generate assets`.\n"
                         "v -0.3 2.5 -0.3\nv 0.3 2.5 -0.3\nv 0.3 2.5 0.3\nv -0.3 2.5 0.3\nv 0 2.25 0\n"
@@ -114,7 +114,7 @@ std::string hundredths(double value) {
 }
 
 /// LM-63-2002, rotationally symmetric: 1000 cos^2 of the angle from the nadir, in steps of 5 degrees to 90.
-void write_lamp_profile(const fs::path& target) {
+void write_light_profile(const fs::path& target) {
   std::string angles, candela;
   for (int degrees = 0; degrees <= 90; degrees += 5) {
     const char* end = degrees == 45 ? "\n" : " ";
@@ -203,8 +203,8 @@ const std::vector<LibraryAsset>& library_assets() {
       {"lamps/gem.obj", false, write_gem},
       {"lamps/lamp.ies", false, write_lopsided_profile},
       {"light-envmap/sky.exr", true, write_sky},
-      {"light-ies/lamp.ies", false, write_lamp_profile},
-      {"light-mesh/lamp.obj", false, write_lamp_mesh},
+      {"light-ies/lamp.ies", false, write_light_profile},
+      {"light-mesh/lamp.obj", false, write_light_mesh},
       {"maps/chart.png", true, write_chart},
       {"maps/normals.png", true, write_normals},
       {"materials/sky.exr", true, write_sky},

@@ -10,7 +10,7 @@
 namespace photonproof::inline scenes_generators {
 
 struct LibraryAsset {
-  std::string path;  ///< within the library, "light-ies/lamp.ies"
+  std::string path;  ///< within the library, "light-ies/light.ies"
   bool image;        ///< its pixels count, not its bytes, which depend on the libraries that write them
   std::function<void(const std::filesystem::path&)> write;
 };

@@ -60,8 +60,8 @@ class IesReader {
   }
 
   void read_scale() {
-    whole("the number of lamps", 0, 1'000'000);
-    number("the lumens per lamp");
+    whole("the number of lights", 0, 1'000'000);
+    number("the lumens per light");
     const double multiplier = number("the candela multiplier");
     if (!(multiplier > 0))
       fail(last_, "the candela multiplier is " + format_number(multiplier) + ", expected more than 0");
@@ -71,9 +71,9 @@ class IesReader {
       fail(last_, "the photometric type is " + std::to_string(type) + ", expected 1 (type C)");
     whole("the units", 1, 2);
     for (const char* size : {"the width", "the length", "the height"}) number(size);
-    const double ballast = positive("the ballast factor"), lamp = positive("the ballast-lamp factor");
+    const double ballast = positive("the ballast factor"), light = positive("the ballast-light factor");
     number("the input watts");
-    scale_ = multiplier * ballast * lamp;
+    scale_ = multiplier * ballast * light;
   }
 
   void read_angles(std::vector<double>& angles, std::size_t count) {

@@ -18,7 +18,7 @@ std::string message(const std::string& text) {
   }
 }
 
-// Lamps, lumens, multiplier, vertical and horizontal angles, type, units, width, length, height; ballast and lamp
+// Lights, lumens, multiplier, vertical and horizontal angles, type, units, width, length, height; ballast and light
 // factors, watts; angles; candela.
 const std::string kHead = "IESNA:LM-63-2002\n[TEST] none\nTILT=NONE\n";
 const std::string kNumbers = "1 1000 2 3 2 1 2 0 0 0\n0.5 1 60\n0 45 90\n0 180\n";
@@ -40,7 +40,7 @@ TEST(ies, says_what_is_wrong_and_where) {
   EXPECT_EQ(message(""), "a.ies:1:1: error: no line TILT= found, expected an IES LM-63 file");
   EXPECT_EQ(message("TILT=INCLUDE\n"), "a.ies:1:1: error: TILT is 'INCLUDE', expected NONE");
   EXPECT_EQ(message("TILT=NONE\n1 x"),
-            "a.ies:2:3: error: the lumens per lamp is 'x', which is not a finite decimal number");
+            "a.ies:2:3: error: the lumens per light is 'x', which is not a finite decimal number");
   EXPECT_EQ(message("TILT=NONE\n1 1000 1 3 2 3"), "a.ies:2:14: error: the photometric type is 3, expected 1 (type C)");
   EXPECT_EQ(message("TILT=NONE\n1 1000 1 1 2 1"),
             "a.ies:2:10: error: the number of vertical angles is 1, expected a whole number from 2 to 10000");

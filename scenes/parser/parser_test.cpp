@@ -165,7 +165,7 @@ TEST(parser, reads_area_lights) {
 
 TEST(parser, places_point_lights_by_position_or_transform) {
   const auto position = [](const std::string& parameter) {
-    const auto scene = parse("<emitter type='point' id='lamp'>" + parameter + "</emitter>");
+    const auto scene = parse("<emitter type='point' id='light'>" + parameter + "</emitter>");
     EXPECT_EQ(scene.emitters.at(1).id, "lamp");
     return std::get<PointLightDescription>(scene.emitters.at(1).light).position;
   };

@@ -158,8 +158,8 @@ TEST(plugins, read_the_number_of_a_lights_spectrum_as_white_of_equal_energy) {
     return "<" + tag + " name='" + name + "' value='10'/>";
   };
   const auto area = [&](const std::string& tag) {
-    const std::string lamp = "<emitter type='area'>" + ten(tag, "radiance") + "</emitter>";
-    return constant(*parse(kSensor + "<shape type='sphere'>" + lamp + "</shape>").shapes.at(0).radiance);
+    const std::string area_light = "<emitter type='area'>" + ten(tag, "radiance") + "</emitter>";
+    return constant(*parse(kSensor + "<shape type='sphere'>" + area_light + "</shape>").shapes.at(0).radiance);
   };
   const std::string spectrum = ten("spectrum", "radiance"), intensity = ten("spectrum", "intensity");
   for (const RgbD& white :

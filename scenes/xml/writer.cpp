@@ -69,8 +69,8 @@ class Writer {
     if (shape.interior) materials_.use("interior", *shape.interior);
     if (shape.exterior) materials_.use("exterior", *shape.exterior);
     if (shape.radiance) {
-      AreaEmitter lamp{*shape.radiance};
-      write("emitter", lamp);
+      AreaEmitter area_light{*shape.radiance};
+      write("emitter", area_light);
     }
     xml_.close();
   }

@@ -53,7 +53,7 @@ int run_povray(const PovrayVerbArguments& arguments) {
   const SceneDescription description = load_scene(arguments.scene);
   check_outputs({arguments.output, stats_path}, scene_inputs(description));
   PovrayOptions povray = arguments.options;
-  povray.lamps_apart = true;
+  povray.lights_apart = true;
   const PovrayExport scene = export_povray(description, povray);
   PovrayRunOptions options;
   options.interrupt = &interrupt_flag();

@@ -1,4 +1,4 @@
-// photonproof stress: climbs every feature's ladders until they break, and says where.
+// photonproof stress: climbs every feature's sweeps until they break, and says where.
 
 #include <unistd.h>
 
@@ -70,27 +70,27 @@ StressOptions stress_options(const StressArguments& arguments) {
   options.command = shell_line(command);
   options.interrupt = &interrupt_flag();
   options.ended = [is_terminal = isatty(STDERR_FILENO) != 0](std::size_t ended, std::size_t all,
-                                                             const StressLadder& ladder) {
-    if (ladder.breakdown() != nullptr)
-      std::fprintf(stderr, "%s%s, %s, %s: %s: %s\n", is_terminal ? "\r\033[K" : "", ladder.feature.c_str(),
-                   ladder.climb.c_str(), ladder.engine.c_str(), reports::ladder_words(ladder).c_str(),
-                   ladder.breakdown()->sentence.c_str());
+                                                             const StressSweep& sweep) {
+    if (sweep.breakdown() != nullptr)
+      std::fprintf(stderr, "%s%s, %s, %s: %s: %s\n", is_terminal ? "\r\033[K" : "", sweep.feature.c_str(),
+                   sweep.sweep_run.c_str(), sweep.engine.c_str(), reports::sweep_words(sweep).c_str(),
+                   sweep.breakdown()->sentence.c_str());
     if (!is_terminal) return;
-    std::fprintf(stderr, "\r\033[K[%zu/%zu] %s, %s, %s", ended, all, ladder.feature.c_str(), ladder.climb.c_str(),
-                 ladder.engine.c_str());
+    std::fprintf(stderr, "\r\033[K[%zu/%zu] %s, %s, %s", ended, all, sweep.feature.c_str(), sweep.sweep_run.c_str(),
+                 sweep.engine.c_str());
     std::fflush(stderr);
   };
   return options;
 }
 
-int list_ladders() {
+int list_sweeps() {
   const ScratchFolder scratch("stress");
-  for (const std::string& name : stress_ladder_names(scratch.path())) std::printf("%s\n", name.c_str());
+  for (const std::string& name : stress_sweep_names(scratch.path())) std::printf("%s\n", name.c_str());
   return 0;
 }
 
 int stress(const StressArguments& arguments) {
-  if (arguments.list) return list_ladders();
+  if (arguments.list) return list_sweeps();
   const StressOptions options = stress_options(arguments);
   std::optional<StressRecord> old;  // read before the run may replace it
   if (!arguments.against.empty()) old = read_stress_record(arguments.against);
@@ -119,12 +119,12 @@ void add_stress_verb(CLI::App& program, int& exit_code) {
       "stress",
       "Climb every feature, by size, place, brightness and more, until its picture is wrong, and say where and "
       "whether\n"
-      "the program said so. Rungs that are decided are kept in the folder and not rendered again.\n"
+      "the program said so. Levels that are decided are kept in the folder and not rendered again.\n"
       "Exit codes: 0 nothing is silently wrong, 1 something is, or worse than in --against, 2 bad input, 130 "
       "interrupted");
   verb->add_option("-o,--output", arguments->output, "results folder")->capture_default_str();
   verb->add_option("--only", arguments->only,
-                   "only ladders whose name contains this; may be repeated; --list has the names")
+                   "only sweeps whose name contains this; may be repeated; --list has the names")
       ->allow_extra_args(false);
   verb->add_option("--engine", arguments->engines,
                    "this one alone: an integrator, compare, povray, or a row of --engines; may be repeated (default: "
@@ -133,16 +133,16 @@ void add_stress_verb(CLI::App& program, int& exit_code) {
   verb->add_option("--engines", arguments->engines_file,
                    "a TOML file with [[engine]] rows, as suites have them: other programs that climb, by --engine");
   verb->add_flag("--turned", arguments->turned,
-                 "each rung's scene turned as a whole, so that no face lies along an axis");
+                 "each level's scene turned as a whole, so that no face lies along an axis");
   verb->add_flag("--quick", arguments->quick,
-                 "path and photonmapper alone, each ladder at the height that is wanted; only one that is not right "
+                 "path and photonmapper alone, each sweep at the height that is wanted; only one that is not right "
                  "there is climbed from below");
   verb->add_option("--against", arguments->against, "an earlier stress.json: what is worse than there fails");
-  verb->add_option("--markdown", arguments->markdown, "write the table of all ladders there, too");
+  verb->add_option("--markdown", arguments->markdown, "write the table of all sweeps there, too");
   verb->add_option("--program", arguments->program,
                    "another build of photonproof to stress; climbs that it refuses are left out (default: this one)");
   verb->add_option("--jobs", arguments->jobs, "renders at a time (default: one a core)")->check(CLI::Range(1, 1024));
-  verb->add_flag("--list", arguments->list, "print the ladders' names and end");
+  verb->add_flag("--list", arguments->list, "print the sweeps' names and end");
   verb->callback([arguments, &exit_code] { exit_code = stress(*arguments); });
 }
 

@@ -1,0 +1,17 @@
+// A light's entry in the table by which lights are chosen (light_table.h), for kernels to gather.
+#pragma once
+
+#include <cstdint>
+
+namespace photonproof::inline renderer_light_sampling {
+
+struct LightWords {
+  std::uint32_t kind;
+  float probability;      ///< of being chosen
+  float alias_threshold;  ///< alias method (Vose 1991): below it the light itself, above it `alias`
+  std::uint32_t alias;
+  std::uint32_t primitive;  ///< of a small scene, which its own shadow rays ignore; else the light's first face (ray.h)
+  static constexpr std::uint32_t stride = 5;
+};
+
+}  // namespace photonproof::inline renderer_light_sampling

@@ -1,0 +1,125 @@
+#include "renderer/photon_mapping/gather_area.h"
+
+#include <algorithm>
+#include <optional>
+
+#include "renderer/photons/surface_side.h"
+#include "renderer/rays/rays.h"
+#include "renderer/scene/surface_detail.h"
+#include "scenes/base/faults.h"
+#include "scenes/description/overloaded.h"
+
+namespace photonproof::inline renderer_photon_mapping {
+namespace {
+
+/// Whether all that a ball of the radius holds of the surface has one normal and one tangent plane, or near enough.
+bool is_one_sheet(const Geometry& geometry, float radius) {
+  const float surface_radius = std::visit([](const auto& shape) { return shape.curvature_radius(); }, geometry);
+  return radius < 0.99f * 2 * sheet_height * surface_radius;
+}
+// As far from p as the radius r, a surface of curvature radius R is r^2 / 2R from the tangent plane, and the versine
+// of the normals' angle is r^2 / 2R^2: below the limits where r < 2 sheet_height R.
+static_assert(2 * sheet_height * sheet_height < 1 - least_side_cosine);
+
+/// How likely a hit of the BSDF draws a leaf that `stores` photons; `weight` gives the numbers of masks and blends.
+template <class Stores, class Weight>
+float chance_of_leaf(const Scene& scene, std::uint32_t bsdf, bool behind, const Stores& stores, const Weight& weight) {
+  const BsdfNode& node = scene.bsdfs.tree[bsdf];
+  const auto of = [&](std::uint32_t nested) { return chance_of_leaf(scene, nested, behind, stores, weight); };
+  switch (node.kind) {
+    case BsdfNode::Kind::leaf:
+      return stores(scene.bsdfs.records[bsdf]) ? 1.0f : 0.0f;
+    case BsdfNode::Kind::two_sided:
+      return of(behind ? node.second : node.first);
+    case BsdfNode::Kind::mask:
+      return weight(node.number) * of(node.first);
+    case BsdfNode::Kind::blend: {
+      const float second = weight(node.number);
+      return (1 - second) * of(node.first) + second * of(node.second);
+    }
+    default:
+      return of(node.first);
+  }
+}
+
+}  // namespace
+
+GatherAreas::GatherAreas(const Scene& scene, const Threads& threads)
+    : scene_(scene), may_miss_(scene.surfaces.size()), mesh_of_(scene.surfaces.size()), covered_(scene) {
+  for (std::size_t i = 0; i < scene.surfaces.size(); ++i) {
+    bool any_stored = false;
+    scene.bsdfs.for_each_leaf(scene.surfaces[i].bsdf, [&](const Bsdf& leaf, bool) {
+      may_miss_[i].lambertian = may_miss_[i].lambertian || !is_lambertian(leaf);
+      may_miss_[i].rough = may_miss_[i].rough || !can_be_rough(leaf);
+      any_stored = any_stored || is_lambertian(leaf) || can_be_rough(leaf);
+    });
+    const Mesh* mesh = mesh_of(scene.surfaces[i].geometry);
+    if (mesh == nullptr || !any_stored) continue;
+    std::unique_ptr<const MeshArea>& made = meshes_[mesh];
+    if (!made) made = std::make_unique<MeshArea>(*mesh, threads);
+    mesh_of_[i] = made.get();
+  }
+}
+
+std::vector<SheetTest> GatherAreas::tests(float radius) const {
+  std::vector<SheetTest> tests;
+  tests.reserve(scene_.surfaces.size());
+  for (const Surface& surface : scene_.surfaces) {
+    // What wraps another BSDF may be one that shows the same on both sides.
+    const SheetTest of_flat = scene_.bsdfs.is_leaf(surface.bsdf) ? SheetTest::none : SheetTest::side;
+    tests.push_back(is_one_sheet(surface.geometry, radius) ? of_flat : SheetTest::side_and_normal);
+  }
+  return tests;
+}
+
+void GatherAreas::fill(GatherQueue& points) const {
+  const GatherPoints view = points.view();
+  const float wrong = has_fault(Fault::density_radius) ? 1.1f : 1.0f;
+  for (std::size_t i = 0; i < view.count; ++i)
+    view.area[i] = view.found[i] > 0 ? divisor(points[i], wrong * view.radius[i]) : 0.0f;
+}
+
+Vec2<float> GatherAreas::uv_at(const GatherPoint& point) const {
+  const Vec3f front = unit_side_normal(point.surface_side);
+  std::uint32_t primitive = 0;
+  if (mesh_of(scene_.surfaces[surface_number(point.surface)].geometry) !=
+      nullptr) {  // a ray from just above finds the triangle
+    const Vec3f up = facing_side_normal(point.surface_side);
+    const Vec3f above = offset_from(point.p, up, up, scene_.view().coordinate_floor);
+    primitive = closest_hit<float>(scene_.view(), above, -up, no_index, true, false).primitive;
+  }
+  return scene_.view().detail->local(surface_number(point.surface), primitive, point.p, front).uv;
+}
+
+float GatherAreas::stored_share(const GatherPoint& point) const {
+  const bool is_rough = (point.surface & PhotonSurface::rough) != 0;
+  const MayMiss& may_miss = may_miss_[surface_number(point.surface)];
+  if (!(is_rough ? may_miss.rough : may_miss.lambertian)) return 1;
+  const Surface& surface = scene_.surfaces[surface_number(point.surface)];
+  std::optional<Vec2<float>> uv;
+  const auto weight = [&](const TexturedNumber& n) {
+    if (n.texture == no_index) return std::clamp(n.value, 0.0f, 1.0f);
+    if (!uv) uv = uv_at(point);
+    return std::clamp(scene_.textures->number(n.texture, *uv), 0.0f, 1.0f);
+  };
+  const bool behind = (point.surface_side & SurfaceSide::from_behind) != 0;
+  const float share = chance_of_leaf(scene_, surface.bsdf, behind, is_rough ? can_be_rough : is_lambertian, weight);
+  return share > 0 ? share : 1;
+}
+
+float GatherAreas::area(const GatherPoint& point, float radius) const {
+  const Geometry& geometry = scene_.surfaces[surface_number(point.surface)].geometry;
+  const MeshArea* mesh = mesh_of_[surface_number(point.surface)];
+  return std::visit(
+      Overloaded{[&](const Mesh&) {
+                   return static_cast<float>(mesh->within(point.p, unit_side_normal(point.surface_side), radius));
+                 },
+                 [&](const MeshInstance& copy) {
+                   return static_cast<float>(
+                       mesh->within(*copy.placement, point.p, unit_side_normal(point.surface_side), radius));
+                 },
+                 [&](const auto& shape) { return covered_.left_of(disc_area(shape, point.p, radius), point, radius); }},
+      geometry);
+}
+
+}  // namespace photonproof::inline renderer_photon_mapping

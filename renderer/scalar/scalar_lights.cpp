@@ -1,0 +1,24 @@
+#include "renderer/scalar/scalar_lights.h"
+
+namespace photonproof::inline renderer_scalar {
+
+ScalarLights::ScalarLights(const SceneInterface& world)
+    : scene_interface_(world), lights_(world.scene().scene_lights()), surface_(world.scene().lights.size(), no_index) {
+  const std::vector<Surface>& surfaces = world.scene().surfaces;
+  for (std::uint32_t i = 0; i < surfaces.size(); ++i)
+    if (surfaces[i].light != no_index) surface_[surfaces[i].light] = i;
+}
+
+SegmentEnd ScalarLights::end(std::uint32_t light, const LightPoint<float>& at) const {
+  const std::uint32_t first = scene_interface_.view().light_words[light].primitive;
+  return {at.p, at.normal, first == no_index ? no_index : first + at.triangle, surface_[light],
+          lights_.is_infinite(light)};
+}
+
+LightPoint<float> ScalarLights::point(const Interaction& met) const {
+  const std::uint32_t first =
+      scene_interface_.view().small ? scene_interface_.view().light_words[met.light].primitive : 0;
+  return lights_.with_uv(met.light, {met.p, met.ng, {}, met.primitive - first});
+}
+
+}  // namespace photonproof::inline renderer_scalar
