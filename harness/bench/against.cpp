@@ -10,16 +10,13 @@
 #include <random>
 #include <variant>
 
-#include "harness/cells/cell_command.h"
 #include "harness/cells/cells.h"
 #include "harness/cells/host.h"
-#include "harness/cells/run_cell.h"
 #include "harness/conclusions/stored_changes.h"
 #include "harness/statistics/relative_error.h"
 #include "harness/suites/engine_command.h"
 #include "scenes/base/input_error.h"
 #include "scenes/base/percent_text.h"
-#include "scenes/base/process.h"
 #include "scenes/base/timer.h"
 #include "scenes/files/atomic_file.h"
 #include "scenes/images/image.h"
@@ -98,7 +95,7 @@ class PairRunner {
         CommandValues values;
         values.photonproof = program;
         values.suite = run_.suite.folder;
-        run_process(fill_command(command, values), options);
+        usual_executor().run(fill_command(command, values), options);
       }
   }
 
@@ -129,8 +126,8 @@ class PairRunner {
     round.again_seconds = *results[2].cpu_seconds;
     if (std::min({round.old_seconds, round.new_seconds, round.again_seconds}) <= 0)
       return std::string("the engine's processor time is too short to be measured");
-    const Image old_image = read_stored(image_of(cell, 0).string()).mean,
-                new_image = read_stored(image_of(cell, 1).string()).mean;
+    const Image old_image = read_stored(run_of(cell, 0).image().string()).mean,
+                new_image = read_stored(run_of(cell, 1).image().string()).mean;
     round.same_image = old_image.rgb == new_image.rgb;
     if (reference != nullptr) {
       round.old_relmse = relative_mse(*reference, old_image);
@@ -140,23 +137,21 @@ class PairRunner {
   }
 
  private:
-  fs::path folder() const { return run_.folder / against_folder; }
-  CellCommand command_of(const Cell& cell, std::size_t which) const {
+  EngineRun run_of(const Cell& cell, std::size_t which) const {
     constexpr std::array<const char*, 3> stems{"old", "new", "again"};
-    return cell_command(run_.suite, cell, programs_[which], folder() / stems[which], "image", run_.threads, nullptr);
+    EngineRun run = run_.run_of(cell, std::string(against_folder) + "/" + stems[which]);
+    run.program = programs_[which];
+    // Three share one processor.
+    run.limits.seconds *= 3;
+    return run;
   }
-  fs::path image_of(const Cell& cell, std::size_t which) const { return command_of(cell, which).image; }
 
   std::optional<Result> run_one(const Cell& cell, std::size_t which, std::size_t number) const {
-    const CellCommand command = command_of(cell, which);
-    fs::remove_all(command.image.parent_path());
-    fs::create_directories(command.image.parent_path());
-    const SuiteScene& scene = run_.suite.scene(cell.scene);
-    CellRun one = cell_run(cell, command, scene, run_.crops.at(cell.scene), run_.suite.limits, run_.interrupt);
+    EngineRun one = run_of(cell, which);
+    fs::remove_all(one.place());
+    fs::create_directories(one.place());
     if (!processors_.empty()) one.processor = processors_[number % processors_.size()];
-    // Three share one processor.
-    one.limits.seconds *= 3;
-    return run_cell(one);
+    return run_engine(one);
   }
 
   const AgainstRun& run_;

@@ -7,15 +7,13 @@
 #include <atomic>
 #include <filesystem>
 #include <functional>
-#include <map>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "harness/conclusions/paired_rounds.h"
+#include "harness/images/engine_run.h"
 #include "harness/suites/suite.h"
 #include "reports/record/results.h"
-#include "scenes/description/film_part.h"
 
 namespace photonproof::inline harness_bench {
 
@@ -35,11 +33,11 @@ struct AgainstRun {
   const Results& now;  ///< holds the references' images
   std::filesystem::path program;
   std::filesystem::path folder;  ///< where results.json of `now` lies; rounds are rendered in a folder below it
-  int threads = 1;
-  std::string only;  ///< as BenchOptions
+  std::string only;              ///< as BenchOptions
   const std::atomic<bool>* interrupt = nullptr;
-  std::function<void(const ChangeRecord&)> heard;        ///< of each change as it is known; may be empty
-  std::map<std::string, std::optional<FilmPart>> crops;  ///< of every scene of the suite
+  std::function<void(const ChangeRecord&)> heard;  ///< of each change as it is known; may be empty
+  /// How the run draws a cell in a folder below its own.
+  std::function<EngineRun(const Cell&, const std::string& folder)> run_of;
 };
 
 /// For every scene and engine of both runs, at the largest of each kind of budget: a record of the processor time (but

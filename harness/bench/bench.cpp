@@ -9,11 +9,9 @@
 #include "harness/bench/compare_cell.h"
 #include "harness/bench/correctness.h"
 #include "harness/cells/calibration.h"
-#include "harness/cells/cell_command.h"
 #include "harness/cells/cells.h"
 #include "harness/cells/folder_lock.h"
 #include "harness/cells/host.h"
-#include "harness/cells/run_cell.h"
 #include "harness/cells/scene_copies.h"
 #include "harness/cells/side_by_side.h"
 #include "harness/conclusions/convergence.h"
@@ -58,9 +56,9 @@ class Bench {
         old_run_(options.against ? std::optional(read_old_run(*options.against)) : std::nullopt),
         lock_(options.results_folder),
         copies_(options.results_folder),
-        store_(options.results_folder),
         host_(describe_host()),
-        plan_(plan_bench(suite, options.program, host_, store_)),
+        source_(source_options()),
+        plan_(plan_bench(suite, options.program, source_)),
         created_(utc_now()) {
     for (SceneRecord& scene : plan_.scenes)
       if (const auto stored = plan_.stored.find(scene.name); stored != plan_.stored.end())
@@ -78,7 +76,7 @@ class Bench {
       if (const std::string caveat = load_caveat(host_.cores); !caveat.empty()) caveats_.push_back(caveat);
     save();
     warm_up(to_run);
-    if (!to_run.empty()) calibration_.emplace(std::min(threads_of(suite_, host_), host_.cores));
+    if (!to_run.empty()) calibration_.emplace(std::min(limits().threads, host_.cores));
     for (std::size_t i = 0; i < to_run.size() && !summary_.interrupted; ++i) {
       if (!measure(i + 1, to_run.size(), plan_.find(to_run[i].label()))) summary_.interrupted = true;
     }
@@ -93,6 +91,20 @@ class Bench {
   }
 
  private:
+  // Engines may use every core where the suite does not say how many.
+  Limits limits() const {
+    Limits limits = suite_.limits;
+    if (limits.threads <= 0) limits.threads = std::max(1, host_.cores);
+    return limits;
+  }
+
+  ImageSourceOptions source_options() const {
+    ImageSourceOptions source{ImageUse::measurement, options_.results_folder, options_.program, suite_.folder,
+                              limits()};
+    source.interrupt = options_.interrupt;
+    return source;
+  }
+
   fs::path results_file() const { return options_.results_folder / "results.json"; }
 
   bool is_selected(const Cell& cell) const { return cell.label().find(options_.only) != std::string::npos; }
@@ -164,8 +176,7 @@ class Bench {
     summary_.engine_seconds += result->wall_seconds.value_or(0);
     result->calibration = calibration_->after_cell(planned.cell, result->wall_seconds.value_or(0));
     result->key = planned.key;
-    result->engine_version = version_of(planned.cell.engine);
-    planned.found = CellStore::Found{{std::move(*result), ""}, cell_folder};
+    planned.found = KeptImage{{std::move(*result), ""}, cell_folder};
     // What could not be started may be there the next time.
     if (planned.found->kept.result.status != Status::not_started) keep(*planned.found);
     save_if_quick();
@@ -176,37 +187,30 @@ class Bench {
 
   // Folders that cannot be made, or that the engine took away, are a crash of the cell and no end of the run.
   std::optional<Result> run_in_folder(const PlannedCell& planned, std::string& cell_folder) try {
-    cell_folder = store_.make_folder(planned.key);
+    cell_folder = source_.claim(planned.key);
     // What others are compared with may come from the scene's committed reference.
-    const CellCommand command = command_of(planned.cell, cell_folder, planned.is_reference ? nullptr : &copies_);
-    std::optional<Result> result = run(planned.cell, command, suite_.limits);
-    std::error_code ignored;
-    if (result && fs::exists(command.image, ignored))
-      result->image = cell_folder + "/" + command.image.filename().string();
-    return result;
+    return run_engine(run_of(planned.cell, cell_folder, planned.is_reference ? nullptr : &copies_));
   } catch (const InputError& error) {
     Result result;
     result.cell = planned.cell;
     result.status = Status::crash;
+    result.engine_version = version_of(planned.cell.engine);
     result.detail = "its folder cannot be used: " + error.summary();
     return result;
   }
 
   // In its folder; where that is gone, in results.json alone, and the next run measures it again.
-  void keep(CellStore::Found& found) const try {
-    if (!found.cell_folder.empty()) store_.keep(found.cell_folder, found.kept);
+  void keep(KeptImage& found) const try {
+    if (!found.folder.empty()) source_.keep(found);
   } catch (const InputError& error) {
     found.kept.result.caveats.push_back("not kept for the next run: " + error.summary());
   }
 
-  CellCommand command_of(const Cell& cell, const std::string& cell_folder, SceneCopies* copies) const {
-    return cell_command(suite_, cell, options_.program, options_.results_folder / cell_folder, "image",
-                        threads_of(suite_, host_), copies);
-  }
-
-  std::optional<Result> run(const Cell& cell, const CellCommand& command, const Limits& limits) const {
-    return run_cell(
-        cell_run(cell, command, suite_.scene(cell.scene), plan_.crops.at(cell.scene), limits, options_.interrupt));
+  EngineRun run_of(const Cell& cell, const std::string& folder, SceneCopies* copies) const {
+    EngineRun run =
+        source_.run_of(folder, plan_.drawn_by.at(cell.engine), plan_.drawn.at(cell.scene), cell.budget, cell.seed);
+    run.scene.copies = copies;
+    return run;
   }
 
   // What an engine does once and never again (reading its files from disk, waking the processors) is not measured.
@@ -218,19 +222,15 @@ class Bench {
     for (const auto& [engine, cells] : by_engine) {
       if (cells.size() < least_cells_for_warm_up) continue;
       fs::create_directories(folder, ignored);
-      Limits limits = suite_.limits;
-      limits.seconds = std::min(limits.seconds, warm_up_limit);
-      const auto result = run(*cells.front(), command_of(*cells.front(), warm_up_folder, &copies_), limits);
+      EngineRun run = run_of(*cells.front(), warm_up_folder, &copies_);
+      run.limits.seconds = std::min(run.limits.seconds, warm_up_limit);
+      const auto result = run_engine(run);
       if (result) summary_.engine_seconds += result->wall_seconds.value_or(0);
       fs::remove_all(folder, ignored);
     }
   }
 
-  std::string version_of(const std::string& engine) const {
-    return std::find_if(plan_.engines.begin(), plan_.engines.end(),
-                        [&](const EngineRecord& record) { return record.name == engine; })
-        ->version;
-  }
+  const std::string& version_of(const std::string& engine) const { return plan_.drawn_by.at(engine).version; }
 
   const SceneRecord& scene_record(const std::string& name) const {
     return *std::find_if(plan_.scenes.begin(), plan_.scenes.end(),
@@ -251,7 +251,7 @@ class Bench {
     const PlannedCell& planned = plan_.find(scene.reference_label);
     if (planned.unsupported) return {unsupported_result(planned), *planned.unsupported};
     if (!planned.found) return {};
-    return {planned.found->kept.result, planned.found->cell_folder};
+    return {planned.found->kept.result, planned.found->folder};
   }
 
   // Whether the cell's metrics and pictures had to be made.
@@ -268,8 +268,8 @@ class Bench {
     const std::string key = content_key(made_with);
     if (planned.found->kept.comparison_key == key) return false;
     try {
-      compare_cell({options_.results_folder, planned.found->cell_folder,
-                    reference.result ? &*reference.result : nullptr, scene.exposure, scene.hdr_exposures},
+      compare_cell({options_.results_folder, planned.found->folder, reference.result ? &*reference.result : nullptr,
+                    scene.exposure, scene.hdr_exposures},
                    result);
       planned.found->kept.comparison_key = key;
     } catch (const InputError& error) {
@@ -351,11 +351,10 @@ class Bench {
                    now,
                    options_.program,
                    options_.results_folder,
-                   threads_of(suite_, host_),
                    options_.only,
                    options_.interrupt,
                    [this](const ChangeRecord& change) { observer_.changed(change); },
-                   plan_.crops};
+                   [this](const Cell& cell, const std::string& folder) { return run_of(cell, folder, nullptr); }};
     changes_ = changes_against(run, *old_run_, *options_.against);
     summary_.interrupted = options_.interrupt != nullptr && *options_.interrupt;
     for (const ChangeRecord& change : changes_) ++summary_.by_change[change.change];
@@ -422,8 +421,8 @@ class Bench {
   std::optional<Results> old_run_;
   FolderLock lock_;
   SceneCopies copies_;
-  CellStore store_;
   Host host_;
+  ImageSource source_;
   BenchPlan plan_;
   std::optional<Calibration> calibration_;  // only where something is measured
   std::string created_;

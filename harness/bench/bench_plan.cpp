@@ -7,8 +7,7 @@
 
 #include "harness/bench/correctness.h"
 #include "harness/cells/cells.h"
-#include "harness/cells/engine_version.h"
-#include "scenes/base/size_text.h"
+#include "harness/images/engine_version.h"
 #include "scenes/description/expect.h"
 #include "scenes/description/scene_hash.h"
 #include "scenes/parser/parser.h"
@@ -39,16 +38,7 @@ std::optional<Expect> read_expectations(const SuiteScene& scene) {
   return read_expect(path);
 }
 
-// The same key where there is nothing more to say.
-std::string key_with(const std::string& key, const std::string& what, const std::string& content) {
-  return content.empty() ? key : content_key({{"cell", key}, {what, content}});
-}
-
 }  // namespace
-
-int threads_of(const Suite& suite, const Host& host) {
-  return suite.limits.threads > 0 ? suite.limits.threads : std::max(1, host.cores);
-}
 
 PlannedCell& BenchPlan::find(const std::string& label) {
   return const_cast<PlannedCell&>(std::as_const(*this).find(label));
@@ -59,7 +49,7 @@ const PlannedCell& BenchPlan::find(const std::string& label) const {
                        [&](const PlannedCell& planned) { return planned.cell.label() == label; });
 }
 
-BenchPlan plan_bench(const Suite& suite, const fs::path& program, const Host& host, const CellStore& store) {
+BenchPlan plan_bench(const Suite& suite, const fs::path& program, const ImageSource& source) {
   BenchPlan plan;
   for (const SuiteScene& scene : suite.scenes)
     if (scene.reference) plan.cells.push_back({*scene.reference, true});
@@ -72,13 +62,13 @@ BenchPlan plan_bench(const Suite& suite, const fs::path& program, const Host& ho
     if (!used) continue;
     const EngineVersion& version = versions[engine.name] =
         ask_version(engine, suite.folder, program, std::min(20.0, suite.limits.seconds));
+    plan.drawn_by[engine.name] = {&engine, version.line};
     plan.engines.push_back({engine.name, engine.title, version.line, to_string(engine.trust)});
   }
-  std::map<std::string, std::string> contents;
   for (const SuiteScene& scene : suite.scenes) {
     const SceneDescription description = parse_scene_file(scene.path.string());
-    contents[scene.name] = scene_hash(description);
-    const auto& crop = plan.crops[scene.name] = crop_of(description.sensor.film, scene.width, scene.height);
+    const auto crop = crop_of(description.sensor.film, scene.width, scene.height);
+    plan.drawn[scene.name] = {&scene, scene_hash(description), crop};
     const std::optional<Expect>& expect = plan.expectations[scene.name] = read_expectations(scene);
     plan.scenes.push_back(describe_scene(scene, expect, crop));
     if (scene.reference)
@@ -89,20 +79,7 @@ BenchPlan plan_bench(const Suite& suite, const fs::path& program, const Host& ho
 
   for (PlannedCell& planned : plan.cells) {
     const Cell& cell = planned.cell;
-    const Engine& engine = suite.engine(cell.engine);
-    const SuiteScene& scene = suite.scene(cell.scene);
-    planned.key = content_key({{"scene", contents[cell.scene]},
-                               {"engine", engine_content(engine)},
-                               {"version", versions[cell.engine].line},
-                               {"budget", cell.budget.label()},
-                               {"seed", std::to_string(cell.seed)},
-                               {"size", size_text(scene.width, scene.height)},
-                               {"seconds", std::to_string(suite.limits.seconds)},
-                               {"memory_mb", std::to_string(suite.limits.memory_mb)},
-                               {"threads", std::to_string(threads_of(suite, host))},
-                               {"host", host.cpu + "/" + std::to_string(host.cores)}});
-    planned.key = key_with(planned.key, "file", scene.file_content(cell.engine));
-    if (const auto& crop = plan.crops[cell.scene]) planned.key = key_with(planned.key, "crop", crop->text());
+    planned.key = source.key(plan.drawn_by[cell.engine], plan.drawn[cell.scene], cell.budget, cell.seed);
     // The same work, to be measured a second time.
     const bool is_control = !suite.control.empty() && cell.engine == control_name(suite.control);
     if (is_control) planned.key = content_key({{"control", planned.key}});
@@ -114,7 +91,7 @@ BenchPlan plan_bench(const Suite& suite, const fs::path& program, const Host& ho
         planned.unsupported = why->second;
         planned.status_untried = Status::unsupported;
       }
-    if (!planned.unsupported) planned.found = store.latest(planned.key);
+    if (!planned.unsupported) planned.found = source.find(planned.key);
   }
   return plan;
 }

@@ -52,7 +52,7 @@ void compare_cell(const CellComparison& comparison, Result& result) {
     return;
   }
   HeatmapWriter maps(image.width, image.height, comparison.results_folder / comparison.cell_folder, "map");
-  ImageSource reference_rows(*reference), image_rows(image);
+  ImageRowSource reference_rows(*reference), image_rows(image);
   MetricOptions metrics{.parameters = {comparison.exposure, comparison.hdr_exposures}};
   if (comparison.hdr_exposures) metrics.also = {"hdr_flip"};
   PairMeasurements measured = measure_pair(reference_rows, image_rows, metrics, &maps);

@@ -55,7 +55,6 @@ std::vector<Image> drawn_images(const GateSuite& suite, const StoredReference& r
   options.program = PHOTONPROOF_BINARY;
   options.folder = fs::temp_directory_path() / ("photonproof-null-" + suite.scenes[0].name);
   options.processes = 2;
-  options.keep = false;
   fs::create_directories(options.folder);
   ImageStream stream(suite, suite.gates[0], {reference.provenance.scene_hash, "null"}, reference.provenance.seeds,
                      options);

@@ -5,17 +5,11 @@
 #include <iterator>
 #include <mutex>
 
-#include "harness/cells/cell_command.h"
-#include "harness/cells/cells.h"
-#include "harness/cells/run_cell.h"
 #include "harness/cells/side_by_side.h"
 #include "scenes/base/faults.h"
-#include "scenes/base/size_text.h"
 
 namespace photonproof::inline harness_gates {
 namespace {
-
-namespace fs = std::filesystem;
 
 Image upside_down(const Image& image) {
   Image turned = image;
@@ -26,10 +20,11 @@ Image upside_down(const Image& image) {
 
 constexpr std::uint64_t seeds_of_a_run = 1'000'000;
 
-Image read_rendered(const fs::path& file) {
-  Image image = read_stored(file.string()).mean;
-  if (has_fault(Fault::upside_down)) image = upside_down(image);
-  return image;
+ImageSourceOptions source_options(const GateSuite& suite, const DrawOptions& options) {
+  ImageSourceOptions source{ImageUse::verdict, options.folder, options.program, suite.folder, suite.limits};
+  if (options.resume) source.reused = {Status::ok};
+  source.interrupt = options.interrupt;
+  return source;
 }
 
 }  // namespace
@@ -38,15 +33,12 @@ std::string stream_label(const Gate& gate) { return gate.scene + "/" + gate.engi
 
 ImageStream::ImageStream(const GateSuite& suite, const Gate& gate, StreamContent content,
                          std::vector<std::uint64_t> avoided, const DrawOptions& options)
-    : suite_(suite),
-      scene_(suite.scene(gate.scene)),
-      engine_(suite.engine(gate.engine)),
+    : engine_{&suite.engine(gate.engine), std::move(content.engine_version), options.further, options.fault},
+      scene_{&suite.scene(gate.scene), std::move(content.scene_hash), content.crop, options.copies},
       budget_(gate.budget),
-      content_(std::move(content)),
       avoided_(std::move(avoided)),
-      options_(options),
-      store_(options.folder),
-      file_content_(scene_.file_content(engine_.name)),
+      processes_(options.processes),
+      source_(source_options(suite, options)),
       seed_(options.seed * seeds_of_a_run) {}
 
 const DrawnImage* ImageStream::failed() const {
@@ -62,7 +54,7 @@ std::uint64_t ImageStream::next_seed() {
 
 bool ImageStream::draw(std::size_t count) {
   const StreamDemand demand{this, count};
-  return draw_streams({&demand, 1}, options_.processes);
+  return draw_streams({&demand, 1}, processes_);
 }
 
 bool ImageStream::append(std::span<std::unique_ptr<DrawnImage>> fresh) {
@@ -109,51 +101,14 @@ bool draw_streams(std::span<const StreamDemand> demands, int processes,
   return complete;
 }
 
-std::unique_ptr<DrawnImage> ImageStream::draw_one(std::uint64_t seed) const {
-  const Cell cell{scene_.name, engine_.name, budget_, seed};
-  std::string key = content_key({{"scene", content_.scene_hash},
-                                 {"engine", engine_content(engine_) + length_prefixed(options_.further)},
-                                 {"version", content_.engine_version},
-                                 {"fault", options_.fault + planted_fault()},
-                                 {"budget", budget_.label()},
-                                 {"seed", std::to_string(seed)},
-                                 {"size", size_text(scene_.width, scene_.height)},
-                                 {"seconds", std::to_string(suite_.limits.seconds)},
-                                 {"memory_mb", std::to_string(suite_.limits.memory_mb)},
-                                 {"threads", std::to_string(suite_.limits.threads)}});
-  if (content_.crop) key = content_key({{"cell", key}, {"crop", content_.crop->text()}});
-  if (!file_content_.empty()) key = content_key({{"cell", key}, {"file", file_content_}});
-  if (options_.resume)
-    if (auto found = store_.latest(key); found && found->kept.result.status == Status::ok) {
-      auto drawn = std::make_unique<DrawnImage>();
-      drawn->result = std::move(found->kept.result);
-      drawn->image = read_rendered(options_.folder / drawn->result.image);
-      return drawn;
-    }
-  const std::string cell_folder = store_.make_folder(key);
-  CellCommand command = cell_command(suite_, cell, options_.program, options_.folder / cell_folder, "image",
-                                     suite_.limits.threads, options_.copies);
-  for (std::vector<std::string>* argv : {&command.argv, &command.typed}) {
-    argv->insert(argv->end(), options_.further.begin(), options_.further.end());
-    if (!options_.fault.empty()) argv->insert(argv->begin(), {"env", "PHOTONPROOF_FAULT=" + options_.fault});
-  }
-  const fs::path folder = command.image.parent_path();
-  std::optional<Result> result =
-      run_cell(cell_run(cell, command, scene_, content_.crop, suite_.limits, options_.interrupt));
-  if (!result) return nullptr;
+std::unique_ptr<DrawnImage> ImageStream::draw_one(std::uint64_t seed) {
+  std::optional<KeptImage> image = source_.draw(engine_, scene_, budget_, seed);
+  if (!image) return nullptr;
   auto drawn = std::make_unique<DrawnImage>();
-  drawn->result = std::move(*result);
-  drawn->result.key = key;
-  drawn->result.engine_version = content_.engine_version;
+  drawn->result = std::move(image->kept.result);
   if (drawn->result.status == Status::ok) {
-    drawn->result.image = cell_folder + "/" + command.image.filename().string();
-    drawn->image = read_rendered(command.image);
-  }
-  if (options_.keep) {
-    store_.keep(cell_folder, {drawn->result, ""});
-  } else {
-    std::error_code ignored;
-    fs::remove_all(folder, ignored);
+    drawn->image = source_.image_of(drawn->result).mean;
+    if (has_fault(Fault::upside_down)) drawn->image = upside_down(drawn->image);
   }
   return drawn;
 }

@@ -11,9 +11,8 @@
 #include <string>
 #include <vector>
 
-#include "harness/cells/cell_store.h"
-#include "harness/cells/scene_copies.h"
 #include "harness/gates/gate_suite.h"
+#include "harness/images/image_source.h"
 #include "scenes/description/film_part.h"
 
 namespace photonproof::inline harness_gates {
@@ -26,13 +25,12 @@ struct DrawnImage {
 
 struct DrawOptions {
   std::filesystem::path program;       ///< this program, or a faulty one
-  std::filesystem::path folder;        ///< receives cells/ (cell_store.h); exists
+  std::filesystem::path folder;        ///< receives cells/ (image_store.h); exists
   std::uint64_t seed = 1;              ///< of the whole run: another one draws other images
   std::string fault{};                 ///< planted in `program`, which is photonproof-faulty (scenes/base/faults.h)
   std::vector<std::string> further{};  ///< arguments after the engine's own
   int processes = 1;                   ///< side by side
   bool resume = false;                 ///< use what an earlier run left in `folder`
-  bool keep = true;                    ///< leave the images in `folder`
   const std::atomic<bool>* interrupt = nullptr;
   SceneCopies* copies = nullptr;  ///< what engines are given of scenes; null: the scenes themselves
 };
@@ -74,20 +72,17 @@ class ImageStream {
  private:
   friend bool draw_streams(std::span<const StreamDemand>, int, const std::function<void(std::size_t, std::size_t)>&);
 
-  std::unique_ptr<DrawnImage> draw_one(std::uint64_t seed) const;
+  std::unique_ptr<DrawnImage> draw_one(std::uint64_t seed);
   std::uint64_t next_seed();
   /// False when images are missing and none says why: interrupted.
   bool append(std::span<std::unique_ptr<DrawnImage>> fresh);
 
-  const GateSuite& suite_;
-  const SuiteScene& scene_;
-  const Engine& engine_;
+  ImageEngine engine_;
+  ImageScene scene_;
   Budget budget_;
-  StreamContent content_;
   std::vector<std::uint64_t> avoided_;
-  const DrawOptions& options_;
-  CellStore store_;
-  std::string file_content_;  ///< of the engine's own file of the scene
+  int processes_;
+  ImageSource source_;
   std::uint64_t seed_;
   std::vector<std::unique_ptr<DrawnImage>> drawn_;
 };

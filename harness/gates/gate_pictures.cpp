@@ -32,7 +32,7 @@ void store_pictures(const Image& mean, const StoredReference& reference, double 
   record.pictures["image"] = place + "/mean.png";
   write_png((folder / record.pictures["image"]).string(), mean, exposure);
   HeatmapWriter maps(mean.width, mean.height, folder / place, "map");
-  ImageSource reference_rows(reference.rendering.mean), mean_rows(mean);
+  ImageRowSource reference_rows(reference.rendering.mean), mean_rows(mean);
   measure_pair(reference_rows, mean_rows, {.parameters = judged}, &maps);
   const HeatmapFiles files = maps.finish();
   record.pictures["flip"] = place + "/" + files.flip.filename().string();

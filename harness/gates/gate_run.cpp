@@ -6,7 +6,6 @@
 #include <ranges>
 #include <span>
 
-#include "harness/cells/engine_version.h"
 #include "harness/cells/folder_lock.h"
 #include "harness/cells/host.h"
 #include "harness/gates/accepted_verdicts.h"
@@ -14,6 +13,7 @@
 #include "harness/gates/gate_pictures.h"
 #include "harness/gates/gates_together.h"
 #include "harness/gates/independence.h"
+#include "harness/images/engine_version.h"
 #include "scenes/base/input_error.h"
 #include "scenes/description/expect.h"
 
@@ -35,9 +35,8 @@ class Run {
               .folder = options.folder,
               .seed = options.seed,
               .further = {},
-              .processes = std::max(1, host_.cores / suite.limits.threads),
+              .processes = usual_executor().at_once(suite.limits.threads),
               .resume = options.resume,
-              .keep = true,
               .interrupt = options.interrupt,
               .copies = &copies_} {}
 

@@ -6,10 +6,10 @@
 #include <random>
 #include <span>
 
-#include "harness/cells/engine_version.h"
 #include "harness/cells/folder_lock.h"
 #include "harness/cells/host.h"
 #include "harness/cells/side_by_side.h"
+#include "harness/images/engine_version.h"
 #include "harness/metrics/metrics.h"
 #include "harness/pixels/repeated_images.h"
 #include "scenes/base/faults.h"
@@ -193,7 +193,7 @@ class SelfTestRun {
     draw.folder = options_.gates.folder;
     draw.seed = options_.gates.seed + number * seeds_apart;
     draw.further = variant.further;
-    draw.processes = std::max(1, host_.cores / suite.limits.threads);
+    draw.processes = usual_executor().at_once(suite.limits.threads);
     draw.resume = options_.gates.resume;
     draw.interrupt = options_.gates.interrupt;
     draw.copies = &copies_;

@@ -67,7 +67,7 @@ void store_scene_pictures(const fs::path& folder, const std::string& place, cons
   write_png((folder / picture).string(), image);
   work.grade.pictures["image"] = picture;
   HeatmapWriter maps(image.width, image.height, folder / place, work.grade.scene);
-  ImageSource expected(reference.rendering.mean), submitted(image);
+  ImageRowSource expected(reference.rendering.mean), submitted(image);
   measure_pair(expected, submitted, {}, &maps);
   const HeatmapFiles files = maps.finish();
   work.grade.pictures["flip"] = place + "/" + files.flip.filename().string();

@@ -25,7 +25,7 @@ TEST(HdrFlip, agrees_with_the_independent_implementation) {
   const auto pairs = read_oracle_table("hdr_flip_expected.csv");
   ASSERT_EQ(pairs.size(), 4u);
   for (const OraclePair& pair : pairs) {
-    ImageSource reference(pair.reference);
+    ImageRowSource reference(pair.reference);
     const ExposureRange range = exposures_of(reference).value();
     // Luminances are floats here, doubles there.
     EXPECT_NEAR(range.start, pair.expected.at("start"), 1e-6) << pair.name;
@@ -64,7 +64,7 @@ TEST(HdrFlip, takes_the_exact_median_of_the_luminances) {
   Image image(51, 11);  // 561 pixels: rank 280 is 280/1000
   for (std::size_t p = 0; p < image.pixels(); ++p)
     for (std::size_t c = 0; c < 3; ++c) image.rgb[3 * p + c] = static_cast<float>((p * 364) % 561) / 1000;
-  ImageSource rows(image);
+  ImageRowSource rows(image);
   const ExposureRange range = exposures_of(rows).value();
   EXPECT_NEAR(range.stop - range.start, std::log2(0.560 / 0.280), 1e-6);
 }
@@ -83,7 +83,7 @@ TEST(HdrFlip, of_an_object_on_black_is_that_of_the_published_tool) {
         reference.pixel(x, y)[c] = 0.3f * static_cast<float>(3 - c);
         test.pixel(x, y)[c] = (is_darker ? 0.15f : 0.3f) * static_cast<float>(3 - c);
       }
-  ImageSource rows(reference);
+  ImageRowSource rows(reference);
   const ExposureRange range = exposures_of(rows).value();
   EXPECT_NEAR(range.start, 1.7223823, 1e-6);
   EXPECT_NEAR(range.stop, 24.0832966585, 1e-6);
@@ -95,7 +95,7 @@ TEST(HdrFlip, of_an_object_on_black_is_that_of_the_published_tool) {
 TEST(HdrFlip, of_an_image_darker_than_the_least_median_has_the_exposure_of_its_brightest_pixel) {
   Image image(4, 4);
   for (int c = 0; c < 3; ++c) image.pixel(1, 1)[c] = 1e-9f;
-  ImageSource rows(image);
+  ImageRowSource rows(image);
   const ExposureRange range = exposures_of(rows).value();
   EXPECT_NEAR(range.start, std::log2(2.118872 / 1e-9), 1e-5);
   EXPECT_EQ(range.stop, range.start);

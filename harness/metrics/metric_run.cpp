@@ -269,7 +269,7 @@ PairMeasurements measure_pair(RowSource& reference, RowSource& test, const Metri
 
 std::vector<Measurement> measure(const Image& reference, const Image& test, const MetricOptions& options,
                                  MapSink* maps) {
-  ImageSource reference_rows(reference), test_rows(test);
+  ImageRowSource reference_rows(reference), test_rows(test);
   return measure_pair(reference_rows, test_rows, options, maps).measurements;
 }
 

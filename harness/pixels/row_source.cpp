@@ -7,7 +7,7 @@
 
 namespace photonproof::inline harness_pixels {
 
-void ImageSource::read(int begin, int end, float* rgb) {
+void ImageRowSource::read(int begin, int end, float* rgb) {
   const std::size_t row = 3 * static_cast<std::size_t>(image_.width);
   const float* from = image_.rgb.data() + static_cast<std::size_t>(begin) * row;
   std::copy_n(from, static_cast<std::size_t>(end - begin) * row, rgb);

@@ -23,9 +23,9 @@ class RowSource {
 };
 
 /// The image must outlive it.
-class ImageSource : public RowSource {
+class ImageRowSource : public RowSource {
  public:
-  explicit ImageSource(const Image& image) : image_(image) {}
+  explicit ImageRowSource(const Image& image) : image_(image) {}
   int width() const override { return image_.width; }
   int height() const override { return image_.height; }
   void read(int begin, int end, float* rgb) override;

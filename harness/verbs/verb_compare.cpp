@@ -153,10 +153,10 @@ void compare_files(const CompareOptions& options, const std::vector<MetricBound>
   if (options.agreement) {
     const ImageWindow part = compared.region ? ImageWindow::stored : compared.part;
     metrics.region.reset();
-    reference = std::make_unique<ImageSource>(
+    reference = std::make_unique<ImageRowSource>(
         reference_rendering.emplace(read_rendering(options.reference, options.layer, part)).mean);
-    test =
-        std::make_unique<ImageSource>(test_rendering.emplace(read_rendering(options.test, options.layer, part)).mean);
+    test = std::make_unique<ImageRowSource>(
+        test_rendering.emplace(read_rendering(options.test, options.layer, part)).mean);
   }
   if (!options.mask.empty()) {
     metrics.mask = read_mask(options.mask, metrics.region);

@@ -5,16 +5,11 @@
 #include <map>
 #include <utility>
 
-#include "harness/cells/cell_command.h"
-#include "harness/cells/cells.h"
 #include "harness/cells/host.h"
-#include "harness/cells/run_cell.h"
 #include "harness/statistics/pooled_pictures.h"
 #include "harness/statistics/radiance_range.h"
 #include "harness/suites/engine_command.h"
-#include "harness/suites/engine_stats.h"
 #include "harness/verify/picture_pair.h"
-#include "scenes/base/size_text.h"
 
 namespace photonproof::inline harness_verify {
 namespace {
@@ -54,6 +49,24 @@ bool is_refusal(const Result& result, const VerifyEngine& engine) {
          (engine.is_ours && result.status == Status::crash && result.detail.starts_with("exited with 2"));
 }
 
+ImageSourceOptions source_options(const StudioOptions& options) {
+  ImageSourceOptions source{ImageUse::estimate, options.folder, options.program};
+  source.suite_folder = options.rows.empty() ? fs::path(".") : fs::absolute(options.rows).parent_path();
+  source.limits.threads = options.threads;
+  source.limits.seconds = 4 * options.seconds + 120;
+  source.limits.memory_mb = 4096;
+  // What was killed or could not be started may do better now.
+  source.reused = {Status::ok, Status::unsupported};
+  source.interrupt = options.interrupt;
+  if (options.at_work) source.starts = [at_work = options.at_work](const Cell& cell) { at_work(cell.label()); };
+  return source;
+}
+
+StudioOptions with_threads(StudioOptions options) {
+  if (options.threads == 0) options.threads = describe_host().cores;
+  return options;
+}
+
 double samples_of(const std::vector<PictureOfSamples>& parts) {
   double sum = 0;
   for (const PictureOfSamples& part : parts) sum += part.samples;
@@ -84,50 +97,19 @@ DeclaredError declared_error(const VerifyEngine& engine, const std::optional<Exp
   return declared;
 }
 
-Studio::Studio(StudioOptions options) : options_(std::move(options)), store_(options_.folder) {
-  if (options_.threads == 0) options_.threads = describe_host().cores;
-}
+Studio::Studio(StudioOptions options) : options_(with_threads(std::move(options))), source_(source_options(options_)) {}
 
-Result Studio::cell(const StudioScene& scene, const VerifyEngine& engine, const Budget& budget,
-                    std::uint64_t seed) const {
-  SuiteCommon suite;
-  suite.folder = options_.rows.empty() ? fs::path(".") : fs::absolute(options_.rows).parent_path();
-  suite.limits.threads = options_.threads;
-  suite.limits.seconds = 4 * options_.seconds + 120;
-  suite.limits.memory_mb = 4096;
-  suite.engines = {engine.row};
+KeptImage Studio::image(const StudioScene& scene, const VerifyEngine& engine, const Budget& budget,
+                        std::uint64_t seed) const {
   SuiteScene row;
   row.name = scene.name;
   row.path = scene.file;
-  row.given_path = scene.file.string();
   row.width = scene.width;
   row.height = scene.height;
-  suite.scenes = {row};
-  const Cell cell{scene.name, engine.row.name, budget, seed};
-  std::string key = content_key({{"verify", "1"},
-                                 {"scene", scene.content},
-                                 {"engine", engine_content(engine.row)},
-                                 {"version", engine.version.line},
-                                 {"budget", budget.label()},
-                                 {"seed", std::to_string(seed)},
-                                 {"size", size_text(scene.width, scene.height)},
-                                 {"seconds", std::to_string(suite.limits.seconds)}});
-  if (scene.crop) key = content_key({{"cell", key}, {"crop", scene.crop->text()}});
-  // What was killed or could not be started may do better now.
-  if (auto found = store_.latest(key);
-      found && (found->kept.result.status == Status::ok || found->kept.result.status == Status::unsupported))
-    return found->kept.result;
-  if (options_.at_work) options_.at_work(cell.label());
-  const std::string folder = store_.make_folder(key);
-  const CellCommand command =
-      cell_command(suite, cell, options_.program, options_.folder / folder, "image", options_.threads, nullptr);
-  std::optional<Result> result = run_cell(cell_run(cell, command, row, scene.crop, suite.limits, options_.interrupt));
-  if (!result || (options_.interrupt != nullptr && *options_.interrupt)) throw VerifyInterrupted();
-  result->key = key;
-  result->engine_version = engine.version.line;
-  if (result->status == Status::ok) result->image = folder + "/" + command.image.filename().string();
-  store_.keep(folder, {*result, ""});
-  return *result;
+  std::optional<KeptImage> image =
+      source_.draw({&engine.row, engine.version.line}, {&row, scene.content, scene.crop}, budget, seed);
+  if (!image || (options_.interrupt != nullptr && *options_.interrupt)) throw VerifyInterrupted();
+  return *std::move(image);
 }
 
 Shot Studio::shoot_samples(const StudioScene& scene, const VerifyEngine& engine, int series) const {
@@ -143,18 +125,18 @@ Shot Studio::shoot_samples(const StudioScene& scene, const VerifyEngine& engine,
   const double amount = of_engine("quality") ? quality_of(scene, engine, options_.quality) : 1;
   while (samples > 0) {
     const Budget budget{engine.budget_kind, engine.counts_samples() ? samples : amount};
-    const Result result = cell(scene, engine, budget, seed++);
+    const KeptImage drawn = image(scene, engine, budget, seed++);
+    const Result& result = drawn.kept.result;
     if (result.status != Status::ok) {
       if (parts.empty() || result.status != Status::timeout)
         return {std::nullopt, is_refusal(result, engine) ? Status::unsupported : result.status, result.detail,
                 result.command};
       break;  // too slow for more
     }
-    const fs::path image = options_.folder / result.image;
-    parts.push_back({read_stored(image.string()), samples});
+    parts.push_back({source_.image_of(result), samples});
     if (const std::string why = why_variance_is_lost(parts.back().rendering.mean); !why.empty())
       return {std::nullopt, Status::unsupported, "its picture " + why, result.command};
-    EngineStats stats = read_engine_stats(image.parent_path() / "stats.json");
+    EngineStats stats = source_.stats_of(drawn);
     picture.losses = std::move(stats.losses);
     picture.cannot_find = std::move(stats.cannot_find);
     bias = std::max(bias, stated_bias(result));

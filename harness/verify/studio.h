@@ -1,5 +1,5 @@
 // Draws engines' pictures of a scene, as many samples as a stated power needs, each a process of its own. What is drawn
-// is kept in the results folder by all that decides it (harness/cells/cell_store.h), so that a run goes on where an
+// is kept in the results folder by all that decides it (harness/images/image_source.h), so that a run goes on where an
 // earlier one ended.
 #pragma once
 
@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "harness/cells/cell_store.h"
+#include "harness/images/image_source.h"
 #include "harness/statistics/pooled_pictures.h"
 #include "harness/suites/suite.h"
 #include "harness/verify/engine_picture.h"
@@ -65,11 +65,11 @@ class Studio {
   const StudioOptions& options() const { return options_; }
 
  private:
-  Result cell(const StudioScene& scene, const VerifyEngine& engine, const Budget& budget, std::uint64_t seed) const;
+  KeptImage image(const StudioScene& scene, const VerifyEngine& engine, const Budget& budget, std::uint64_t seed) const;
   Shot shoot_samples(const StudioScene& scene, const VerifyEngine& engine, int series) const;
 
   StudioOptions options_;
-  CellStore store_;
+  mutable ImageSource source_;
 };
 
 /// One engine's pictures taken together (pooled_pictures.h). It declares no error.

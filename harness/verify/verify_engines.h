@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "harness/cells/engine_version.h"
+#include "harness/images/engine_version.h"
 #include "harness/suites/engines.h"
 #include "scenes/description/description.h"
 

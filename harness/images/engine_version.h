@@ -8,7 +8,7 @@
 #include "harness/suites/engines.h"
 #include "reports/record/results.h"
 
-namespace photonproof::inline harness_cells {
+namespace photonproof::inline harness_images {
 
 struct EngineVersion {
   std::string line;                    ///< what its version commands print, joined by " + "
@@ -23,4 +23,4 @@ struct EngineVersion {
 EngineVersion ask_version(const Engine& engine, const std::filesystem::path& suite_folder,
                           const std::filesystem::path& program, double most_seconds = 20);
 
-}  // namespace photonproof::inline harness_cells
+}  // namespace photonproof::inline harness_images

@@ -1,12 +1,11 @@
-#include "harness/cells/engine_version.h"
+#include "harness/images/engine_version.h"
 
-#include "harness/cells/run_cell.h"
+#include "harness/images/engine_run.h"
 #include "harness/suites/engine_command.h"
-#include "scenes/base/process.h"
 #include "scenes/base/shell_text.h"
 #include "scenes/base/utf8.h"
 
-namespace photonproof::inline harness_cells {
+namespace photonproof::inline harness_images {
 namespace {
 
 std::string first_line(const std::string& text) {
@@ -26,7 +25,7 @@ EngineVersion ask_version(const Engine& engine, const std::filesystem::path& sui
     const std::vector<std::string> argv = fill_command(command, values);
     ProcessOptions options;
     options.wall_limit_seconds = most_seconds;
-    const ProcessOutcome outcome = run_process(argv, options);
+    const ProcessOutcome outcome = usual_executor().run(argv, options);
     if (!outcome.ok()) {
       version.problem = "the engine cannot tell its version: '" + shell_line(argv) + "' " + outcome.sentence();
       using End = ProcessOutcome::End;
@@ -47,4 +46,4 @@ EngineVersion ask_version(const Engine& engine, const std::filesystem::path& sui
   return version;
 }
 
-}  // namespace photonproof::inline harness_cells
+}  // namespace photonproof::inline harness_images

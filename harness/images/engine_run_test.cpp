@@ -1,4 +1,4 @@
-#include "harness/cells/run_cell.h"
+#include "harness/images/engine_run.h"
 
 #include <algorithm>
 
@@ -6,36 +6,41 @@
 #include "scenes/files/atomic_file.h"
 #include "scenes/files/file_checksum.h"
 
-namespace photonproof::inline harness_cells {
+namespace photonproof::inline harness_images {
 namespace {
 
-class RunCell : public FakeSuiteTest {
+class EngineRuns : public FakeSuiteTest {
  protected:
-  std::optional<Result> run(const std::string& behaviour) const {
-    CellRun cell;
-    cell.cell = {"scene", behaviour, {"spp", 1}, 1};
-    cell.image = folder_ / "image.exr";
-    cell.stats = folder_ / "stats.json";
-    cell.output_folder = folder_;
-    cell.argv = {"sh", folder_ / "engine.sh", behaviour, folder_, cell.image, cell.stats, "scene.xml", "1"};
-    cell.width = width;
-    cell.height = height;
-    cell.crop = crop_;
-    cell.limits = limits_;
-    cell.interrupt = &interrupt_;
-    return run_cell(cell);
+  std::optional<Result> run_command(const std::vector<std::string>& command, const std::string& layer = "") {
+    engine_.command = command;
+    engine_.layer = layer;
+    scene_.name = "scene";
+    scene_.path = folder_ / "scene.xml";
+    scene_.width = width;
+    scene_.height = height;
+    EngineRun run{{&engine_}, {&scene_, "", crop_}, {"spp", 1}, 1, limits_, "photonproof", folder_};
+    run.results_folder = folder_.parent_path();
+    run.folder = folder_.filename();
+    run.interrupt = &interrupt_;
+    return run_engine(run);
   }
-  std::string ending(const std::string& behaviour) const {
+  std::optional<Result> run(const std::string& behaviour) {
+    engine_.name = behaviour;
+    return run_command({"sh", folder_ / "engine.sh", behaviour, folder_, "{output}", "{stats}", "{scene}", "{seed}"});
+  }
+  std::string ending(const std::string& behaviour) {
     const std::optional<Result> result = run(behaviour);
     return result ? to_string(result->status) + "|" + result->detail : "interrupted";
   }
 
   std::optional<FilmPart> crop_{};
+  Engine engine_;
+  SuiteScene scene_;
   Limits limits_{.seconds = 20, .memory_mb = 2048, .threads = 1};
   std::atomic<bool> interrupt_ = false;
 };
 
-TEST_F(RunCell, good_image_is_ok_with_its_cost_and_stats) {
+TEST_F(EngineRuns, good_image_is_ok_with_its_cost_and_stats) {
   const std::optional<Result> result = run("grey");
   ASSERT_TRUE(result.has_value());
   EXPECT_EQ(result->status, Status::ok);
@@ -46,9 +51,11 @@ TEST_F(RunCell, good_image_is_ok_with_its_cost_and_stats) {
   EXPECT_EQ(result->phases, (std::map<std::string, double>{{"copy", 0.25}}));
   EXPECT_EQ(std::count(result->caveats.begin(), result->caveats.end(), "declared by the engine: it only copies"), 1);
   EXPECT_EQ(result->command.substr(0, 3), "sh ");
+  EXPECT_EQ(result->cell.label(), "scene/grey/spp=1/seed=1");
+  EXPECT_EQ(result->image, folder_.filename() / "image.exr");
 }
 
-TEST_F(RunCell, image_of_the_whole_film_or_of_the_crop_is_kept_as_the_crop) {
+TEST_F(EngineRuns, image_of_the_whole_film_or_of_the_crop_is_kept_as_the_crop) {
   crop_ = FilmPart{{8, 6, width, height}, 4, 4};
   for (const char* engine : {"grey", "small"}) {
     EXPECT_EQ(ending(engine), "ok|") << engine;
@@ -61,58 +68,57 @@ TEST_F(RunCell, image_of_the_whole_film_or_of_the_crop_is_kept_as_the_crop) {
   EXPECT_EQ(ending("small"), "bad_image|wrote 4x4 pixels instead of 32x24 or the crop's 5x4");
 }
 
-TEST_F(RunCell, hanging_engine_is_a_timeout) {
+TEST_F(EngineRuns, hanging_engine_is_a_timeout) {
   limits_.seconds = 0.3;
   EXPECT_EQ(ending("hangs"), "timeout|killed after 0.3 s (limit)");
 }
 
-TEST_F(RunCell, greedy_engine_is_a_crash) {
+TEST_F(EngineRuns, greedy_engine_is_a_crash) {
   limits_.memory_mb = 64;
   EXPECT_EQ(ending("hog"), "crash|used more than 64 MiB of memory (limit)");
 }
 
-TEST_F(RunCell, dying_engine_is_a_crash) { EXPECT_EQ(ending("segfaults"), "crash|killed by SIGSEGV"); }
+TEST_F(EngineRuns, dying_engine_is_a_crash) { EXPECT_EQ(ending("segfaults"), "crash|killed by SIGSEGV"); }
 
-TEST_F(RunCell, failing_engine_is_a_crash_with_its_last_words) {
+TEST_F(EngineRuns, failing_engine_is_a_crash_with_its_last_words) {
   EXPECT_EQ(ending("fails"), "crash|exited with 5: out of ideas");
   EXPECT_EQ(get("stderr.txt"), "first words\nout of ideas\n");
   EXPECT_FALSE(has("stdout.txt"));
 }
 
-TEST_F(RunCell, refusal_is_unsupported_with_its_reason) { EXPECT_EQ(ending("refuses"), "unsupported|no mirrors here"); }
+TEST_F(EngineRuns, refusal_is_unsupported_with_its_reason) {
+  EXPECT_EQ(ending("refuses"), "unsupported|no mirrors here");
+}
 
-TEST_F(RunCell, engine_that_cannot_be_started_says_so_without_a_cost) {
-  CellRun cell;
-  cell.argv = {"no-such-engine"};
-  cell.output_folder = folder_;
-  const std::optional<Result> result = run_cell(cell);
+TEST_F(EngineRuns, engine_that_cannot_be_started_says_so_without_a_cost) {
+  const std::optional<Result> result = run_command({"no-such-engine"});
   ASSERT_TRUE(result.has_value());
   EXPECT_EQ(result->status, Status::not_started);
-  EXPECT_EQ(result->detail, "could not be started: 'no-such-engine': No such file or directory");
+  EXPECT_EQ(result->detail, "could not be started: 'no-such-engine': No such file or directory; it is not on PATH");
   EXPECT_FALSE(result->wall_seconds.has_value());
   EXPECT_FALSE(result->peak_bytes.has_value());
 }
 
-TEST_F(RunCell, no_image_is_a_bad_image) { EXPECT_EQ(ending("silent"), "bad_image|wrote no image"); }
+TEST_F(EngineRuns, no_image_is_a_bad_image) { EXPECT_EQ(ending("silent"), "bad_image|wrote no image"); }
 
-TEST_F(RunCell, other_size_is_a_bad_image) {
+TEST_F(EngineRuns, other_size_is_a_bad_image) {
   EXPECT_EQ(ending("small"), "bad_image|wrote 4x4 pixels instead of 32x24");
 }
 
-TEST_F(RunCell, value_that_is_not_finite_is_a_bad_image) {
+TEST_F(EngineRuns, value_that_is_not_finite_is_a_bad_image) {
   // 16 x 12 pixels of three channels are 576 values.
   EXPECT_EQ(ending("nan"), "bad_image|pixel (0, 0) of the test image is NaN in R; 2304 non-finite in all");
 }
 
-TEST_F(RunCell, half_an_image_is_a_bad_image) {
+TEST_F(EngineRuns, half_an_image_is_a_bad_image) {
   EXPECT_TRUE(ending("half").starts_with("bad_image|wrote an image that cannot be read: ")) << ending("half");
 }
 
-TEST_F(RunCell, garbage_is_a_bad_image) {
+TEST_F(EngineRuns, garbage_is_a_bad_image) {
   EXPECT_TRUE(ending("garbage").starts_with("bad_image|wrote an image that cannot be read: ")) << ending("garbage");
 }
 
-TEST_F(RunCell, broken_stats_are_a_caveat_only) {
+TEST_F(EngineRuns, broken_stats_are_a_caveat_only) {
   const std::optional<Result> result = run("bad_stats");
   ASSERT_TRUE(result.has_value());
   EXPECT_EQ(result->status, Status::ok);
@@ -121,7 +127,7 @@ TEST_F(RunCell, broken_stats_are_a_caveat_only) {
       result->caveats.end());
 }
 
-TEST_F(RunCell, sleeping_engine_gets_a_caveat_about_its_timing) {
+TEST_F(EngineRuns, sleeping_engine_gets_a_caveat_about_its_timing) {
   // It sleeps half a second and copies a file: far less than half of its wall time is CPU time.
   const std::optional<Result> result = run("sleeps");
   ASSERT_TRUE(result.has_value());
@@ -131,16 +137,16 @@ TEST_F(RunCell, sleeping_engine_gets_a_caveat_about_its_timing) {
   EXPECT_EQ(std::count_if(result->caveats.begin(), result->caveats.end(), waited), 1);
 }
 
-TEST_F(RunCell, interrupted_cell_has_no_result) {
+TEST_F(EngineRuns, interrupted_run_has_no_result) {
   interrupt_ = true;
   EXPECT_EQ(ending("grey"), "interrupted");
 }
 
-TEST_F(RunCell, words_of_an_engine_are_no_commands_to_a_terminal) {
+TEST_F(EngineRuns, words_of_an_engine_are_no_commands_to_a_terminal) {
   EXPECT_EQ(ending("escapes"), "crash|exited with 5: ?]0;owned??[2Jred?31m");
 }
 
-TEST_F(RunCell, temporaries_of_a_killed_engine_are_removed) {
+TEST_F(EngineRuns, temporaries_of_a_killed_engine_are_removed) {
   limits_.seconds = 0.5;
   EXPECT_EQ(run("leaves_temporary")->status, Status::timeout);
   for (const auto& file : std::filesystem::directory_iterator(folder_))
@@ -148,7 +154,7 @@ TEST_F(RunCell, temporaries_of_a_killed_engine_are_removed) {
 }
 
 // The channels variance.R, G and B, called otherwise, are a layer.
-TEST_F(RunCell, layer_of_the_engine_s_image_is_all_that_is_kept) {
+TEST_F(EngineRuns, layer_of_the_engine_s_image_is_all_that_is_kept) {
   Rendering layers{Image(width, height), Image(width, height), {}};
   for (float& value : layers.mean.rgb) value = 1;
   for (float& value : layers.variance->rgb) value = 0.25f;
@@ -157,17 +163,7 @@ TEST_F(RunCell, layer_of_the_engine_s_image_is_all_that_is_kept) {
     std::string bytes = read_file(folder_ / "layers.exr");
     for (std::size_t at = 0; (at = bytes.find("variance.", at)) != std::string::npos;) bytes.replace(at, 8, "indirect");
     write_file_atomically(folder_ / "layers.exr", bytes);
-    CellRun cell;
-    cell.cell = {"scene", "mine", {"spp", 1}, 1};
-    cell.image = folder_ / "image.exr";
-    cell.output_folder = folder_;
-    cell.argv = {"cp", folder_ / "layers.exr", cell.image};
-    cell.width = width;
-    cell.height = height;
-    cell.crop = crop_;
-    cell.limits = limits_;
-    cell.layer = layer;
-    return run_cell(cell).value();
+    return run_command({"cp", folder_ / "layers.exr", "{output}"}, layer).value();
   };
   EXPECT_EQ(shot("").status, Status::ok);
   EXPECT_EQ(read_image((folder_ / "image.exr").string()).rgb.front(), 1);
@@ -182,11 +178,11 @@ TEST_F(RunCell, layer_of_the_engine_s_image_is_all_that_is_kept) {
   EXPECT_EQ(shot("beauty").detail, "wrote an image without layers, not even 'beauty'");
 }
 
-TEST_F(RunCell, image_has_its_checksum) {
+TEST_F(EngineRuns, image_has_its_checksum) {
   EXPECT_EQ(run("grey")->image_checksum, file_checksum(folder_ / "grey.exr"));
   std::filesystem::remove(folder_ / "image.exr");
   EXPECT_EQ(run("silent")->image_checksum, "");
 }
 
 }  // namespace
-}  // namespace photonproof::inline harness_cells
+}  // namespace photonproof::inline harness_images
