@@ -99,8 +99,11 @@ class Bench {
   }
 
   ImageSourceOptions source_options() const {
-    ImageSourceOptions source{ImageUse::measurement, options_.results_folder, options_.program, suite_.folder,
-                              limits()};
+    ImageSourceOptions source{.use = ImageUse::measurement,
+                              .folder = options_.results_folder,
+                              .program = options_.program,
+                              .suite_folder = suite_.folder,
+                              .limits = limits()};
     source.interrupt = options_.interrupt;
     return source;
   }

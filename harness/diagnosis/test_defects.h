@@ -19,7 +19,8 @@ namespace photonproof::inline harness_diagnosis {
 inline OwnEngine test_engine() {
   OwnEngine engine;
   engine.program = PHOTONPROOF_BINARY;
-  engine.cache = std::filesystem::path(PHOTONPROOF_BINARY).parent_path().parent_path() / "diagnosis_test_cache";
+  const std::filesystem::path build = std::filesystem::path(PHOTONPROOF_BINARY).parent_path().parent_path();
+  engine.kept = std::make_shared<ImageStore>(build / "diagnosis_test_cache", false);
   return engine;
 }
 

@@ -21,7 +21,11 @@ Image upside_down(const Image& image) {
 constexpr std::uint64_t seeds_of_a_run = 1'000'000;
 
 ImageSourceOptions source_options(const GateSuite& suite, const DrawOptions& options) {
-  ImageSourceOptions source{ImageUse::verdict, options.folder, options.program, suite.folder, suite.limits};
+  ImageSourceOptions source{.use = ImageUse::verdict,
+                            .folder = options.folder,
+                            .program = options.program,
+                            .suite_folder = suite.folder,
+                            .limits = suite.limits};
   if (options.resume) source.reused = {Status::ok};
   source.interrupt = options.interrupt;
   return source;

@@ -4,14 +4,19 @@
 
 #include <algorithm>
 #include <mutex>
+#include <nlohmann/json.hpp>
 #include <vector>
 
 #include "harness/cells/cells.h"
 #include "harness/cells/host.h"
 #include "harness/cells/others_busy.h"
 #include "harness/metrics/metrics.h"
+#include "reports/grades/grades_json.h"
+#include "scenes/base/json_text.h"
 #include "scenes/base/size_text.h"
 #include "scenes/base/splitmix.h"
+#include "scenes/files/atomic_file.h"
+#include "scenes/files/checksum.h"
 
 namespace photonproof::inline harness_grading {
 namespace {
@@ -30,7 +35,7 @@ std::string image_text(const AssignmentImage& image) {
 }
 
 // A picture that no metric may be computed of.
-void refuse_bad_image(const WorkScene& scene, GradeCells::Cell& cell) {
+void refuse_bad_image(const WorkScene& scene, DrawnRun& cell) {
   if (!cell.image) return;
   std::string problem;
   if (cell.image->width != scene.width || cell.image->height != scene.height) {
@@ -45,6 +50,12 @@ void refuse_bad_image(const WorkScene& scene, GradeCells::Cell& cell) {
   cell.image.reset();
 }
 
+std::string values_checksum(const Image& image) {
+  Checksum sum;
+  sum.add(image.rgb.data(), image.rgb.size() * sizeof(float));
+  return sum.hex();
+}
+
 }  // namespace
 
 std::uint64_t GradeRuns::seed_of(const std::string& purpose, std::size_t number) const {
@@ -55,58 +66,50 @@ std::uint64_t GradeRuns::seed_of(const std::string& purpose, std::size_t number)
 }
 
 std::string GradeRuns::key_of(const PreparedSubmission& submission, const SubmissionRunRequest& request) const {
-  return content_key({{"version", runs_version},
-                      {"program", submission.checksum},
-                      {"before", length_prefixed(request.command_before)},
-                      {"littered", request.leaves_image_before ? "yes" : "no"},
-                      {"command", length_prefixed(request.command)},
-                      {"scene", length_prefixed({request.params_place, request.params, request.scene.checksum})},
-                      {"size", size_text(request.width, request.height)},
-                      {"image", image_text(assignment_.image)},
-                      {"limits", limits_text(assignment_.limits)},
-                      {"containment", runner_.containment()}});
+  return content_key(
+      {{"version", runs_version},
+       {"program", submission.checksum},
+       {"before", length_prefixed(request.recipe.command_before)},
+       {"littered", request.recipe.leaves_image_before ? "yes" : "no"},
+       {"command", length_prefixed(request.recipe.command)},
+       {"scene", length_prefixed({request.recipe.params_place, request.recipe.params, request.scene.checksum})},
+       {"size", size_text(request.width, request.height)},
+       {"image", image_text(assignment_.image)},
+       {"limits", limits_text(assignment_.limits)},
+       {"containment", runner_.containment()}});
 }
 
-std::optional<GradeCells::Cell> GradeRuns::run_once(const PreparedSubmission& submission, const WorkScene& scene,
-                                                    const SubmissionRunRequest& request, std::uint64_t seed) const {
-  SubmissionRunOutcome answer = runner_.run(submission, request);
-  if (answer.end == "interrupted" || is_interrupted()) return std::nullopt;
-  GradeCells::Cell cell;
+std::optional<DrawnRun> GradeRuns::run_once(const PreparedSubmission& submission, const WorkScene& scene,
+                                            const SubmissionRunRequest& request, std::uint64_t seed) const {
+  DrawnRun cell = runner_.run(submission, request);
+  if (cell.run.end == "interrupted" || is_interrupted()) return std::nullopt;
   cell.run.seed = seed;
-  cell.run.end = answer.end;
-  cell.run.sentence = answer.sentence;
-  cell.run.wall_seconds = answer.wall_seconds;
-  cell.run.cpu_seconds = answer.cpu_seconds;
-  cell.run.peak_bytes = answer.peak_bytes;
-  cell.run.log_tail = answer.log_tail;
-  cell.image = std::move(answer.image);
   refuse_bad_image(scene, cell);
   return cell;
 }
 
-std::optional<GradeCells::Cell> GradeRuns::run(const PreparedSubmission& submission, const WorkScene& scene,
-                                               const std::string& purpose, std::size_t number, bool reuse) {
+std::optional<DrawnRun> GradeRuns::run(const PreparedSubmission& submission, const WorkScene& scene,
+                                       const std::string& purpose, std::size_t number, bool reuse) {
   const std::uint64_t seed = seed_of(purpose, number);
   return run_kept(submission, scene, request_of(assignment_, scene, seed, options_.threads), seed, reuse);
 }
 
-std::optional<GradeCells::Cell> GradeRuns::run_in_used_place(const PreparedSubmission& submission,
-                                                             const WorkScene& scene, std::size_t number, bool littered,
-                                                             bool reuse) {
+std::optional<DrawnRun> GradeRuns::run_in_used_place(const PreparedSubmission& submission, const WorkScene& scene,
+                                                     std::size_t number, bool littered, bool reuse) {
   const std::uint64_t seed = seed_of("correctness", number);
   SubmissionRunRequest request = request_of(assignment_, scene, seed, options_.threads);
-  request.command_before = request_of(assignment_, scene, seed_of("correctness", number - 1), options_.threads).command;
-  request.leaves_image_before = littered;
+  request.recipe.command_before =
+      request_of(assignment_, scene, seed_of("correctness", number - 1), options_.threads).recipe.command;
+  request.recipe.leaves_image_before = littered;
   return run_kept(submission, scene, request, seed, reuse);
 }
 
-std::optional<GradeCells::Cell> GradeRuns::run_kept(const PreparedSubmission& submission, const WorkScene& scene,
-                                                    const SubmissionRunRequest& request, std::uint64_t seed,
-                                                    bool reuse) {
+std::optional<DrawnRun> GradeRuns::run_kept(const PreparedSubmission& submission, const WorkScene& scene,
+                                            const SubmissionRunRequest& request, std::uint64_t seed, bool reuse) {
   const std::string key = key_of(submission, request);
   if (reuse)
-    if (std::optional<GradeCells::Cell> found = cells_.find(key)) return found;
-  std::optional<GradeCells::Cell> cell;
+    if (std::optional<DrawnRun> found = find(key)) return found;
+  std::optional<DrawnRun> cell;
   {
     const std::shared_lock beside_others(concurrent_runs_);
     if (!is_interrupted()) cell = run_once(submission, scene, request, seed);
@@ -115,15 +118,37 @@ std::optional<GradeCells::Cell> GradeRuns::run_kept(const PreparedSubmission& su
     const std::unique_lock alone(concurrent_runs_);
     cell = run_beside_others(submission, scene, request, seed);
   }
-  if (cell) cells_.keep(key, *cell);
+  if (cell) keep(key, *cell);
   return cell;
 }
 
-std::optional<GradeCells::Cell> GradeRuns::run_beside_others(const PreparedSubmission& submission,
-                                                             const WorkScene& scene, SubmissionRunRequest request,
-                                                             std::uint64_t seed) const {
+std::optional<DrawnRun> GradeRuns::find(const std::string& key) const {
+  return store_.latest(key, [this](const std::string& name) -> std::optional<DrawnRun> {
+    try {
+      DrawnRun drawn{run_from_json(nlohmann::ordered_json::parse(read_file(store_.record_of(name)))), {}};
+      if (drawn.run.image.empty()) return drawn;
+      drawn.image = read_image((folder_ / drawn.run.image).string());
+      return values_checksum(*drawn.image) == drawn.run.checksum ? std::optional(std::move(drawn)) : std::nullopt;
+    } catch (const nlohmann::json::exception&) {  // damaged: the same to us as never made
+      return std::nullopt;
+    }
+  });
+}
+
+void GradeRuns::keep(const std::string& key, DrawnRun& drawn) {
+  const std::string name = store_.claim(key);
+  if (drawn.image) {
+    drawn.run.image = name + "/image.exr";
+    drawn.run.checksum = values_checksum(*drawn.image);
+    write_exr((folder_ / drawn.run.image).string(), {.mean = *drawn.image, .variance = {}, .metadata = {}});
+  }
+  write_file_atomically(store_.record_of(name), json_text(run_to_json(drawn.run)));
+}
+
+std::optional<DrawnRun> GradeRuns::run_beside_others(const PreparedSubmission& submission, const WorkScene& scene,
+                                                     SubmissionRunRequest request, std::uint64_t seed) const {
   const OthersBusy busy;
-  std::optional<GradeCells::Cell> cell = run_once(submission, scene, request, seed);
+  std::optional<DrawnRun> cell = run_once(submission, scene, request, seed);
   if (!cell || cell->run.end != "timeout") return cell;
   const double others = busy.cores();
   request.more_time = time_beside_others(busy, cell->run.cpu_seconds, cell->run.wall_seconds);
@@ -134,8 +159,8 @@ std::optional<GradeCells::Cell> GradeRuns::run_beside_others(const PreparedSubmi
   return cell;
 }
 
-std::optional<GradeCells::Cell> GradeRuns::run_timed(const PreparedSubmission& submission, const WorkScene& scene,
-                                                     std::size_t number) {
+std::optional<DrawnRun> GradeRuns::run_timed(const PreparedSubmission& submission, const WorkScene& scene,
+                                             std::size_t number) {
   const std::uint64_t seed = seed_of("correctness", number);
   return run_beside_others(submission, scene, request_of(assignment_, scene, seed, options_.threads), seed);
 }

@@ -58,13 +58,15 @@ class Session {
         lock_(options.folder),
         threads_(options.threads > 0 ? options.threads : std::max(1, describe_host().cores)),
         runner_(assignment, {options.contained, threads_, options.program, options.interrupt}),
-        cells_(options.folder),
-        runs_(assignment, runner_, cells_, {options.seed, threads_, options.interrupt}) {}
+        runs_(assignment, runner_, options.folder, {options.seed, threads_, options.interrupt}),
+        own_engine_{.program = options.program,
+                    .interrupt = options.interrupt,
+                    .kept = std::make_shared<ImageStore>(options.folder / "references" / "cache")} {}
 
   Grades grade() {
     start_record();
     name_submissions();
-    scenes_ = make_work_scenes(assignment_, runner_, own_engine(), options_.folder / "scenes", options_.progress);
+    scenes_ = make_work_scenes(assignment_, runner_, own_engine_, options_.folder / "scenes", options_.progress);
     for (WorkScene& scene : scenes_)
       if (!options_.scene.empty() && scene.row.name != options_.scene) scene.unused = "--scene leaves it out";
     if (prepare_all() && make_references() && grade_all()) {
@@ -76,14 +78,6 @@ class Session {
 
  private:
   bool is_interrupted() const { return runs_.is_interrupted(); }
-
-  OwnEngine own_engine() const {
-    OwnEngine engine;
-    engine.program = options_.program;
-    engine.interrupt = options_.interrupt;
-    engine.cache = options_.folder / "references" / "cache";
-    return engine;
-  }
 
   void start_record() {
     grades_.assignment = assignment_.name;
@@ -171,12 +165,10 @@ class Session {
                                        .scenes = scenes_,
                                        .baseline = baseline_,
                                        .runs = runs_,
-                                       .program = options_.program,
-                                       .folder = options_.folder,
+                                       .engine = own_engine_,
                                        .processes = threads_,
                                        .seed = options_.seed,
                                        .reuse = !options_.fresh,
-                                       .interrupt = options_.interrupt,
                                        .progress = options_.progress});
     if (!made) return false;
     references_ = std::move(*made);
@@ -256,7 +248,7 @@ class Session {
 
   void flag_all() {
     const FlagContext context{assignment_, scenes_, references_, baseline_work_};
-    SceneFindings findings(assignment_, scenes_, references_, baseline_work_.scenes, own_engine(), options_.progress);
+    SceneFindings findings(assignment_, scenes_, references_, baseline_work_.scenes, own_engine_, options_.progress);
     for (SubmissionWork& work : works_) flag_images(context, work);
     std::atomic<std::size_t> done{0};
     const std::size_t count = works_.size() * scenes_.size();
@@ -337,8 +329,8 @@ class Session {
   FolderLock lock_;
   int threads_;
   SubmissionRunner runner_;
-  GradeCells cells_;
   GradeRuns runs_;
+  OwnEngine own_engine_;
   Grades grades_;
   std::vector<WorkScene> scenes_;
   std::vector<std::optional<SceneReference>> references_;

@@ -25,7 +25,7 @@ std::optional<SceneWorkGrade> grade_scene(const Assignment& assignment, const Pr
   work.grade.scene = scene.row.name;
   const auto most = std::max(options.least_images, static_cast<std::size_t>(assignment.correctness.runs));
   for (std::size_t number = 0; number < most; ++number) {
-    std::optional<GradeCells::Cell> cell = runs.run(submission, scene, "correctness", number, options.reuse);
+    std::optional<DrawnRun> cell = runs.run(submission, scene, "correctness", number, options.reuse);
     if (!cell) return std::nullopt;
     work.grade.runs.push_back(cell->run);
     if (!cell->image) {
@@ -48,7 +48,7 @@ std::optional<SceneWorkGrade> grade_scene(const Assignment& assignment, const Pr
   }
   if (options.in_used_place) {
     for (const bool littered : {true, false}) {
-      std::optional<GradeCells::Cell> cell = runs.run_in_used_place(submission, scene, 1, littered, options.reuse);
+      std::optional<DrawnRun> cell = runs.run_in_used_place(submission, scene, 1, littered, options.reuse);
       if (!cell) return std::nullopt;
       (littered ? work.in_littered_place : work.in_used_place) = std::move(cell->image);
       const bool is_new = !work.in_littered_place || work.in_littered_place->rgb != work.images.front().rgb;

@@ -11,7 +11,6 @@
 #include "harness/statistics/batch_means.h"
 #include "harness/suites/engine_command.h"
 #include "harness/suites/suite_rows.h"
-#include "harness/variants/own_engine.h"
 #include "scenes/base/input_error.h"
 #include "scenes/base/process.h"
 #include "scenes/base/size_text.h"
@@ -20,8 +19,6 @@
 
 namespace photonproof::inline harness_grading {
 namespace {
-
-namespace fs = std::filesystem;
 
 // Degrees of freedom of a variance that is known to be none.
 constexpr double no_noise_freedom = 1e6;
@@ -111,7 +108,7 @@ class ReferenceMaker {
   }
 
   std::optional<Image> of_baseline(const WorkScene& scene, std::size_t number) const {
-    std::optional<GradeCells::Cell> cell = work_.runs.run(work_.baseline, scene, "reference", number, work_.reuse);
+    std::optional<DrawnRun> cell = work_.runs.run(work_.baseline, scene, "reference", number, work_.reuse);
     if (!cell) return std::nullopt;
     if (!cell->image)
       throw InputError("baseline", "has no image of scene '" + scene.row.name + "': " + cell->run.sentence +
@@ -120,11 +117,9 @@ class ReferenceMaker {
   }
 
   std::optional<Image> of_engine(const WorkScene& scene, std::size_t number) const {
-    const OwnEngine engine{.program = work_.program,
-                           .interrupt = work_.interrupt,
-                           .seconds = 3600,
-                           .cache = work_.folder / "references" / "cache"};
-    if (work_.interrupt != nullptr && *work_.interrupt) return std::nullopt;
+    OwnEngine engine = work_.engine;
+    engine.seconds = 3600;
+    if (engine.interrupt != nullptr && *engine.interrupt) return std::nullopt;
     OwnRender render{.width = scene.width, .height = scene.height, .integrator = source_.engine};
     render.seed = 1 + splitmix64(splitmix64(work_.seed, 1u << 31), number) % 999'999'999;
     if (source_.budget.kind == "spp")

@@ -10,6 +10,7 @@
 
 #include "harness/grading/grade_runs.h"
 #include "harness/grading/scene_judge.h"
+#include "harness/variants/own_engine.h"
 
 namespace photonproof::inline harness_grading {
 
@@ -18,11 +19,10 @@ struct ReferenceWork {
   const std::vector<WorkScene>& scenes;
   const PreparedSubmission& baseline;
   GradeRuns& runs;
-  std::filesystem::path program, folder;  ///< this program; the folder of grades.json
-  int processes = 1;                      ///< side by side
+  OwnEngine engine;   ///< where references are by one
+  int processes = 1;  ///< side by side
   std::uint64_t seed = 1;
   bool reuse = true;
-  const std::atomic<bool>* interrupt = nullptr;
   std::function<void(const std::string&)> progress;
 };
 

@@ -7,7 +7,6 @@
 #include "harness/cells/cells.h"
 #include "harness/cells/host.h"
 #include "harness/cells/others_busy.h"
-#include "harness/submissions/run_submission.h"
 #include "harness/submissions/submitted_image.h"
 #include "scenes/base/input_error.h"
 #include "scenes/base/json_text.h"
@@ -210,30 +209,24 @@ std::optional<PreparedSubmission> SubmissionRunner::built_as_handed_in(const Pre
   return own;
 }
 
-SubmissionRunOutcome SubmissionRunner::run(const PreparedSubmission& submission,
-                                           const SubmissionRunRequest& request) const {
+DrawnRun SubmissionRunner::run(const PreparedSubmission& submission, const SubmissionRunRequest& request) const {
   const ScratchFolder scratch("grade");
-  RunRecipe recipe;
-  recipe.command = request.command;
-  recipe.command_before = request.command_before;
-  recipe.leaves_image_before = request.leaves_image_before;
-  recipe.params = request.params;
-  recipe.params_place = request.params_place;
+  RunRecipe recipe = request.recipe;
   recipe.scene_folder = request.scene.path;
   recipe.limits = sandbox_limits(assignment_.limits);
   recipe.limits.wall_seconds *= request.more_time;
   RunOutcome outcome =
       run_submission(submission.folder, recipe, declaration_of(assignment_.image, request.width, request.height),
                      scratch.path() / "image", options_.program, handling());
-  SubmissionRunOutcome answer;
-  answer.end = end_text(outcome.kind);
-  if (!answer.ok()) answer.sentence = outcome.sentence;
-  answer.wall_seconds = outcome.wall_seconds;
-  answer.cpu_seconds = outcome.cpu_seconds;
-  answer.peak_bytes = outcome.peak_bytes;
-  answer.log_tail = outcome.log_tail;
-  answer.image = std::move(outcome.image);
-  return answer;
+  DrawnRun drawn;
+  drawn.run.end = end_text(outcome.kind);
+  if (outcome.kind != RunOutcome::Kind::ok) drawn.run.sentence = outcome.sentence;
+  drawn.run.wall_seconds = outcome.wall_seconds;
+  drawn.run.cpu_seconds = outcome.cpu_seconds;
+  drawn.run.peak_bytes = outcome.peak_bytes;
+  drawn.run.log_tail = outcome.log_tail;
+  drawn.image = std::move(outcome.image);
+  return drawn;
 }
 
 Image SubmissionRunner::read_given(const fs::path& file, int width, int height) const {

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <atomic>
-#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -12,6 +11,8 @@
 #include "harness/grading/assignment.h"
 #include "harness/grading/scene_folder.h"
 #include "harness/submissions/build_submission.h"
+#include "harness/submissions/run_submission.h"
+#include "reports/grades/grade_record.h"
 #include "scenes/images/image.h"
 
 namespace photonproof::inline harness_grading {
@@ -27,26 +28,19 @@ struct PreparedSubmission {
   double seconds = 0;
 };
 
-/// One run: the command with all placeholders filled but {output}, {params} and {scene}, which the sandbox knows, and
-/// the scene's own file or folder, if there is one.
+/// One run. Its command has all placeholders filled but {output}, {params} and {scene}, which the sandbox knows. The
+/// door fills in limits and the scene's folder.
 struct SubmissionRunRequest {
-  std::vector<std::string> command;
-  std::vector<std::string> command_before{};  ///< if not empty, is run before in the same place
-  bool leaves_image_before = false;           ///< and its image can be found
-  std::string params, params_place;           ///< text, and where it is put in the run's folder
-  SceneFolder scene{};                        ///< for {scene}
-  int width = 0, height = 0;                  ///< pixels that the image must have
-  double more_time = 1;                       ///< times the assignment's limit on wall time
+  RunRecipe recipe{};
+  SceneFolder scene{};        ///< for {scene}
+  int width = 0, height = 0;  ///< pixels that the image must have
+  double more_time = 1;       ///< times the assignment's limit on wall time
 };
 
-struct SubmissionRunOutcome {
-  std::string end = "ok";  ///< "crash", "timeout", "memory", "no image", "bad image", "interrupted" ...
-  std::string sentence;
-  double wall_seconds = 0, cpu_seconds = 0;
-  std::uint64_t peak_bytes = 0;
-  std::string log_tail;
-  std::optional<Image> image;  ///< linear, top row first; where `end` is "ok"
-  bool ok() const { return end == "ok"; }
+/// A run that has ended, and its image, linear, top row first, where its end is "ok".
+struct DrawnRun {
+  GradedRun run;
+  std::optional<Image> image;
 };
 
 struct SubmissionRunnerOptions {
@@ -71,8 +65,9 @@ class SubmissionRunner {
   void build(PreparedSubmission& submission, bool reuse) const;
   /// The same submission without staff's files over its own; empty where these are the same, or it is not built then.
   std::optional<PreparedSubmission> built_as_handed_in(const PreparedSubmission& submission) const;
-  /// Throws InputError for the grader's own troubles.
-  SubmissionRunOutcome run(const PreparedSubmission& submission, const SubmissionRunRequest& request) const;
+  /// The run has no seed; its end is "interrupted" where that ended it. Throws InputError for the grader's own
+  /// troubles.
+  DrawnRun run(const PreparedSubmission& submission, const SubmissionRunRequest& request) const;
 
   /// A picture that staff name in the assignment's format, as a submission's image is read. Throws InputError where it
   /// is none.

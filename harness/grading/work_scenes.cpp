@@ -84,11 +84,11 @@ SubmissionRunRequest request_of(const Assignment& assignment, const WorkScene& s
   SubmissionRunRequest request;
   for (const std::string& word : assignment.run_command) {
     if (word == "{scene_option}")
-      request.command.insert(request.command.end(), scene.row.option.begin(), scene.row.option.end());
+      request.recipe.command.insert(request.recipe.command.end(), scene.row.option.begin(), scene.row.option.end());
     else
-      request.command.push_back(word);
+      request.recipe.command.push_back(word);
   }
-  for (std::string& word : request.command) {
+  for (std::string& word : request.recipe.command) {
     // Of variants the public scene's name, if any: a hidden scene's would tell what it is.
     replace_all(word, "{name}", scene.row.of.empty() ? scene.row.name : scene.row.of);
     replace_all(word, "{width}", std::to_string(scene.width));
@@ -96,8 +96,8 @@ SubmissionRunRequest request_of(const Assignment& assignment, const WorkScene& s
     replace_all(word, "{threads}", std::to_string(threads));
     replace_all(word, "{seed}", std::to_string(seed));
   }
-  request.params = scene.params;
-  request.params_place = scene.params_place;
+  request.recipe.params = scene.params;
+  request.recipe.params_place = scene.params_place;
   request.scene = scene.folder;
   request.width = scene.width;
   request.height = scene.height;

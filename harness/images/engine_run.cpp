@@ -179,7 +179,7 @@ std::optional<Result> run_engine(const EngineRun& run) {
   const EngineCommand command = command_of(run);
   ProcessOptions options;
   options.wall_limit_seconds = run.limits.seconds;
-  options.memory_limit_bytes = run.limits.memory_mb << 20;
+  if (run.limits.memory_mb > 0) options.memory_limit_bytes = run.limits.memory_mb << 20;
   options.interrupt = run.interrupt;
   options.processor = run.processor;
 

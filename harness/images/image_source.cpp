@@ -10,7 +10,9 @@
 
 namespace photonproof::inline harness_images {
 
-ImageSource::ImageSource(ImageSourceOptions options) : options_(std::move(options)), store_(options_.folder) {
+ImageSource::ImageSource(ImageSourceOptions options)
+    : options_(std::move(options)),
+      store_(options_.store ? options_.store : std::make_shared<ImageStore>(options_.folder)) {
   if (options_.use != ImageUse::measurement) return;
   const Host host = describe_host();
   host_ = host.cpu + "/" + std::to_string(host.cores);

@@ -6,6 +6,7 @@
 #include <atomic>
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -28,6 +29,7 @@ enum class ImageUse {
 struct ImageSourceOptions {
   ImageUse use = ImageUse::measurement;
   std::filesystem::path folder;          ///< the results folder: receives cells/ (image_store.h); exists
+  std::shared_ptr<ImageStore> store{};   ///< of that folder, where several sources share it; null: its own
   std::filesystem::path program{};       ///< {photonproof}
   std::filesystem::path suite_folder{};  ///< {suite}
   Limits limits{};                       ///< of one image, with a number of threads
@@ -45,7 +47,7 @@ class ImageSource {
   std::string key(const ImageEngine& engine, const ImageScene& scene, const Budget& budget, std::uint64_t seed) const;
 
   /// The latest kept image of the key, whatever its status.
-  std::optional<KeptImage> find(const std::string& key) const { return store_.latest(key); }
+  std::optional<KeptImage> find(const std::string& key) const { return store_->latest(key); }
 
   /// The kept image, or a new one, which is kept. Its paths are relative to the results folder. Empty when interrupted:
   /// nothing is kept then. May be called on several threads. Throws InputError where the folder cannot be used.
@@ -54,8 +56,8 @@ class ImageSource {
 
   /// The parts of `draw`, for those who add to a result before they keep it: an empty folder for a new image; what runs
   /// in it (engine_run.h); its completion, or its record's replacement.
-  std::string claim(const std::string& key) { return store_.claim(key); }
-  void keep(const KeptImage& image) const { store_.keep(image); }
+  std::string claim(const std::string& key) { return store_->claim(key); }
+  void keep(const KeptImage& image) const { store_->keep(image); }
   EngineRun run_of(const std::string& folder, const ImageEngine& engine, const ImageScene& scene, const Budget& budget,
                    std::uint64_t seed) const;
 
@@ -67,7 +69,7 @@ class ImageSource {
 
  private:
   ImageSourceOptions options_;
-  ImageStore store_;
+  std::shared_ptr<ImageStore> store_;
   std::string host_;  ///< where it decides
 };
 

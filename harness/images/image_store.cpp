@@ -55,13 +55,15 @@ std::optional<KeptImage> ImageStore::latest(const std::string& key) const {
 
 std::string ImageStore::claim(const std::string& key) {
   const std::lock_guard lock(claiming_);
-  const int n = last_number(key);
+  int n = last_number(key);
   std::string name = folder_name(key, n);
-  const bool is_leftover = n > 0 && !has_record(name) && !claimed_.contains(name);
-  if (!is_leftover) name = folder_name(key, n + 1);
   std::error_code error;
-  if (is_leftover) fs::remove_all(folder_ / name, error);
-  if (!error) fs::create_directories(folder_ / name, error);
+  if (is_alone_ && n > 0 && !has_record(name) && !claimed_.contains(name))
+    fs::remove_all(folder_ / name, error);
+  else
+    name = folder_name(key, ++n);
+  if (!error) fs::create_directories((folder_ / name).parent_path(), error);
+  while (!error && !fs::create_directory(folder_ / name, error) && !error) name = folder_name(key, ++n);
   if (error) throw InputError((folder_ / name).string(), "cannot be made: " + error.message());
   claimed_.insert(name);
   return name;

@@ -23,8 +23,10 @@ struct KeptImage {
 
 class ImageStore {
  public:
-  /// The results folder, which exists; the store is made inside it on first use.
-  explicit ImageStore(std::filesystem::path results_folder) : folder_(std::move(results_folder)) {}
+  /// The store is made inside the results folder on first use. Whether this process is the only one that draws there:
+  /// else a folder without record may be another's work, and is left alone.
+  explicit ImageStore(std::filesystem::path results_folder, bool is_alone = true)
+      : folder_(std::move(results_folder)), is_alone_(is_alone) {}
 
   /// The latest result of the key. A record does not count where cell.json cannot be read, or where the image is gone
   /// or another than was measured; it is never touched. One whose pictures are gone has to be compared again (no
@@ -54,6 +56,8 @@ class ImageStore {
   /// Completes a folder, or replaces its record after a new comparison.
   void keep(const KeptImage& image) const;
 
+  const std::filesystem::path& folder() const { return folder_; }
+  /// Written last into a folder of the store.
   std::filesystem::path record_of(const std::string& name) const { return folder_ / name / "cell.json"; }
 
  private:
@@ -62,6 +66,7 @@ class ImageStore {
   bool has_record(const std::string& name) const;
 
   std::filesystem::path folder_;
+  bool is_alone_;
   std::mutex claiming_;
   std::set<std::string> claimed_;  ///< by this object: work may still go on there
 };

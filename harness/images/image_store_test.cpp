@@ -68,6 +68,13 @@ TEST_F(Store, folder_that_is_being_filled_is_no_leftover) {
   EXPECT_EQ(get(name + "/image.exr"), "half");
 }
 
+TEST_F(Store, folder_that_another_process_may_be_filling_is_left_alone) {
+  const std::string name = ImageStore(folder_).claim("key");
+  put(name + "/image.exr", "half");
+  EXPECT_EQ(ImageStore(folder_, false).claim("key"), "cells/key-2");
+  EXPECT_EQ(get(name + "/image.exr"), "half");
+}
+
 TEST_F(Store, reader_decides_which_record_counts) {
   ImageStore store(folder_);
   for (const char* text : {"first", "second", "third"}) put(store.claim("key") + "/cell.json", text);

@@ -7,9 +7,9 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
+#include "harness/images/executor.h"
 #include "reference/store/reference_store.h"
 #include "scenes/base/input_error.h"
-#include "scenes/base/process.h"
 #include "scenes/base/splitmix.h"
 #include "scenes/files/atomic_file.h"
 
@@ -66,7 +66,7 @@ class Batches {
     ProcessOptions options;
     options.interrupt = run_.interrupt;
     options.wall_limit_seconds = seconds_left();
-    const ProcessOutcome outcome = run_process(argv, options);
+    const ProcessOutcome outcome = usual_executor().run(argv, options);
     if (outcome.end == ProcessOutcome::End::interrupted || outcome.end == ProcessOutcome::End::timed_out) {
       end = outcome.end == ProcessOutcome::End::timed_out ? End::out_of_time : End::interrupted;
       return std::nullopt;

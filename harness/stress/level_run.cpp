@@ -1,11 +1,12 @@
 #include "harness/stress/level_run.h"
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 #include <utility>
 
 #include "harness/cells/cells.h"
+#include "harness/images/executor.h"
 #include "harness/suites/engine_command.h"
+#include "harness/suites/engine_stats.h"
 #include "harness/variants/own_engine.h"
 #include "scenes/base/input_error.h"
 #include "scenes/files/atomic_file.h"
@@ -36,14 +37,6 @@ void leave_out(const fs::path& folder, std::string& text) {
   for (std::size_t at = 0; (at = text.find(path)) != std::string::npos;) text.erase(at, path.size());
 }
 
-void read_stats(const fs::path& file, LevelEvidence& evidence) {
-  if (!fs::exists(file)) return;
-  const auto json = nlohmann::ordered_json::parse(read_file(file), nullptr, false);
-  if (json.is_discarded()) return;
-  if (json.contains("losses")) evidence.losses = json["losses"].get<std::vector<std::string>>();
-  if (json.contains("counts")) evidence.relative_bias = json["counts"].value("relative_bias", 0.0);
-}
-
 }  // namespace
 
 StressRunner::StressRunner(fs::path program, fs::path folder, std::vector<Engine> others,
@@ -59,9 +52,11 @@ const Engine* StressRunner::other(const std::string& engine) const {
   return row == others_.end() ? nullptr : &*row;
 }
 
-std::vector<std::string> StressRunner::command_of(const Engine& engine, const StressScene& scene,
-                                                  const StressRender& how, const std::string& file,
-                                                  const std::string& out) const {
+std::vector<std::string> StressRunner::command(const StressScene& scene, const StressRender& how,
+                                               const std::string& file, const std::string& out) const {
+  const Engine* other_engine = other(how.engine);
+  const Engine row =
+      other_engine != nullptr ? *other_engine : own_row({scene.width, scene.height, how.spp, how.seed, how.engine, {}});
   CommandValues values;
   values.photonproof = program_;
   values.suite = fs::current_path();
@@ -73,18 +68,13 @@ std::vector<std::string> StressRunner::command_of(const Engine& engine, const St
   values.height = scene.height;
   values.threads = 1;
   values.seed = how.seed;
-  values.budget = engine.accepts("spp") ? Budget{"spp", static_cast<double>(how.spp)}
-                                        : Budget{engine.budget_kinds.empty() ? "" : engine.budget_kinds.front(), 1};
-  return fill_command(engine.command, values);
-}
-
-std::vector<std::string> StressRunner::command(const StressScene& scene, const StressRender& how,
-                                               const std::string& file, const std::string& out) const {
-  if (const Engine* engine = other(how.engine)) return command_of(*engine, scene, how, file, out);
-  OwnRender render{scene.width, scene.height, how.spp, how.seed, how.engine, {}};
-  render.more = {"--sampler", "independent", "--threads", "1", "--checkpoint", "0"};
-  render.more.insert(render.more.end(), scene.arguments.begin(), scene.arguments.end());
-  return render_command(program_, render, file, out);
+  values.budget = row.accepts("spp") ? Budget{"spp", static_cast<double>(how.spp)}
+                                     : Budget{row.budget_kinds.empty() ? "" : row.budget_kinds.front(), 1};
+  std::vector<std::string> words = fill_command(row.command, values);
+  if (other_engine != nullptr) return words;
+  words.insert(words.end(), {"--sampler", "independent", "--threads", "1", "--checkpoint", "0"});
+  words.insert(words.end(), scene.arguments.begin(), scene.arguments.end());
+  return words;
 }
 
 std::string StressRunner::identity(const StressScene& scene, const StressRender& how) const {
@@ -113,8 +103,10 @@ LevelEvidence StressRunner::render(const StressScene& scene, const StressRender&
   evidence.tells_noise = is_own;
   const bool has_ended = outcome.end == ProcessOutcome::End::exited && outcome.exit_code <= 1;
   if (has_ended && fs::exists(out)) evidence.picture = read_rendering(out.string());
-  read_stats(scratch.path() / "image.stats.json", evidence);
+  EngineStats stats = read_engine_stats(scratch.path() / "image.stats.json");
+  evidence.losses = std::move(stats.losses);
   for (std::string& loss : evidence.losses) leave_out(scratch.path(), loss);
+  evidence.relative_bias = stats.counts["relative_bias"];
   return evidence;
 }
 
@@ -128,7 +120,7 @@ ProcessOutcome StressRunner::run_command(const std::vector<std::string>& command
   options.wall_limit_seconds = render_limit;
   options.interrupt = interrupt_;
   options.samples_peak = false;
-  ProcessOutcome outcome = run_process(command, options);
+  ProcessOutcome outcome = usual_executor().run(command, options);
   if (outcome.end == ProcessOutcome::End::interrupted || (interrupt_ != nullptr && *interrupt_))
     throw StressInterrupted();
   return outcome;

@@ -52,8 +52,6 @@ class StressRunner {
  private:
   std::vector<std::string> command(const StressScene& scene, const StressRender& how, const std::string& file,
                                    const std::string& out) const;
-  std::vector<std::string> command_of(const Engine& engine, const StressScene& scene, const StressRender& how,
-                                      const std::string& file, const std::string& out) const;
   ProcessOutcome run_command(const std::vector<std::string>& command) const;
 
   std::filesystem::path program_, folder_;

@@ -16,7 +16,7 @@ namespace photonproof::inline harness_suites {
 
 struct Limits {
   double seconds = 60;             ///< wall time of one cell
-  std::uint64_t memory_mb = 2048;  ///< MiB, resident, of one cell's processes together
+  std::uint64_t memory_mb = 2048;  ///< MiB, resident, of one cell's processes together; 0: no limit
   int threads = 0;                 ///< that engines may use; 0: every core
 };
 

@@ -5,9 +5,12 @@
 #include <atomic>
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <vector>
 
+#include "harness/images/image_store.h"
+#include "harness/suites/engines.h"
 #include "scenes/description/description.h"
 #include "scenes/images/image.h"
 
@@ -17,7 +20,7 @@ struct OwnEngine {
   std::filesystem::path program;                 ///< photonproof
   const std::atomic<bool>* interrupt = nullptr;  ///< ends a render that runs
   double seconds = 300;                          ///< a render's limit
-  std::filesystem::path cache = {};              ///< renderings are kept here, by all they follow from; empty: nowhere
+  std::shared_ptr<ImageStore> kept{};            ///< renderings are kept there, by all they follow from; null: nowhere
 };
 
 struct OwnRender {
@@ -28,10 +31,10 @@ struct OwnRender {
   std::vector<std::string> more = {};  ///< arguments of `photonproof render`
 };
 
-std::vector<std::string> render_command(const std::filesystem::path& program, const OwnRender& render,
-                                        const std::string& scene, const std::string& out);
+/// That render as an engine, to whose command `more` is added.
+Engine own_row(const OwnRender& render);
 
-/// Linear radiance, with variance. Throws InputError when the program fails.
+/// Linear radiance, with variance. May be called on several threads. Throws InputError when the program fails.
 Rendering render_with(const OwnEngine& engine, const SceneDescription& scene, const OwnRender& render);
 
 }  // namespace photonproof::inline harness_variants

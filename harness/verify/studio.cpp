@@ -50,7 +50,7 @@ bool is_refusal(const Result& result, const VerifyEngine& engine) {
 }
 
 ImageSourceOptions source_options(const StudioOptions& options) {
-  ImageSourceOptions source{ImageUse::estimate, options.folder, options.program};
+  ImageSourceOptions source{.use = ImageUse::estimate, .folder = options.folder, .program = options.program};
   source.suite_folder = options.rows.empty() ? fs::path(".") : fs::absolute(options.rows).parent_path();
   source.limits.threads = options.threads;
   source.limits.seconds = 4 * options.seconds + 120;
