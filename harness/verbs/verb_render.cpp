@@ -37,7 +37,7 @@ void add_method_options(CLI::App& verb, RenderArguments& arguments) {
   verb.add_option("--sampler", arguments.sampler, "sobol (Owen-scrambled) or independent, to check the other against")
       ->check(CLI::IsMember({"sobol", "independent"}));
   std::vector<std::string> views;
-  for (const ViewRow& row : aov_table()) views.emplace_back(row.name);
+  for (const AovRow& row : aov_table()) views.emplace_back(row.name);
   verb.add_option("--view", arguments.view,
                   "of photonmapper and sppm, for teaching: a part of the light, or how it was found")
       ->check(CLI::IsMember(views));
