@@ -27,7 +27,7 @@ double share_of_disk(double s) { return s * s / (1 + s * s); }
 double share_of_sphere(double s) { return s * s / ((1 + s) * (1 + s)); }
 double share_of_cylinder(double s) { return s / (1 + s); }
 
-struct AreaLight {
+struct TestLight {
   std::string name;
   std::function<Light(float s)> light;
   double (*share)(double s);  ///< of pi L, in a point of the plane y = 0 that looks up
@@ -79,7 +79,7 @@ Light textured(const LightShape& shape) {
   return AreaLight(shape, [](const Vec2<float>&) { return Rgb(1); });
 }
 
-std::vector<AreaLight> area_lights() {
+std::vector<TestLight> area_lights() {
   const auto quad = [](float s) { return QuadShape{{-s, 1, -s}, {2 * s, 0, 0}, {0, 0, 2 * s}, {0, -1, 0}}; };
   const auto disk = [](float s) { return DiskShape{{0, 1, 0}, {s, 0, 0}, {0, 0, s}, {0, -1, 0}}; };
   return {
@@ -105,7 +105,7 @@ std::vector<AreaLight> area_lights() {
 }
 
 /// Whose size knows no end.
-std::vector<AreaLight> round_lights() {
+std::vector<TestLight> round_lights() {
   const auto all = [](double) { return 1.0; };
   return {{"sphere", [](float s) { return ball_light(s, 1); }, share_of_sphere},
           {"inward sphere", [](float s) { return ball_light(s, -1); }, all, slanted},
@@ -147,7 +147,7 @@ double worst_density(const Light& light, std::uint64_t seed) {
 TEST(close_lights, irradiance_keeps_to_its_error_from_a_thousandth_to_a_hundred_thousand_times_the_distance) {
   // 100,000 samples whose worst spread, that of the mesh of 800, is 2.8 times the mean: an error of 4 % shows anywhere.
   std::uint64_t seed = 7100;
-  for (const AreaLight& area_light : area_lights())
+  for (const TestLight& area_light : area_lights())
     for (int decade = -3; decade <= 5; ++decade) {
       const double s = std::pow(10, decade), truth = area_light.share(double{static_cast<float>(s)});
       const Estimate e = irradiance(area_light.light(static_cast<float>(s)), ++seed, 100'000);
@@ -158,7 +158,7 @@ TEST(close_lights, irradiance_keeps_to_its_error_from_a_thousandth_to_a_hundred_
 
 TEST(close_lights, irradiance_of_round_ones_keeps_to_its_error_up_to_a_million_million_times_the_distance) {
   std::uint64_t seed = 7500;
-  for (const AreaLight& area_light : round_lights())
+  for (const TestLight& area_light : round_lights())
     for (int decade = 4; decade <= 12; ++decade) {
       const auto s = static_cast<float>(std::pow(10, decade));
       const Estimate e = irradiance(area_light.light(s), ++seed, 60'000);
@@ -184,7 +184,7 @@ TEST(close_lights, a_sphere_that_all_but_touches_fills_the_hemisphere) {
 // above 1/2) and each half of the azimuth, is pi L A / 4: of a flat light A = pi r^2; of a sphere, from the point
 // nearest to p, the cap of that chord has the same area, pi r^2, and a tube so large is flat. Started by another
 // density than is divided by, a part would be brighter or darker: 20 % show, of the nearest parts 5 %.
-void expect_flux_of_every_part(const AreaLight& area_light, float s) {
+void expect_flux_of_every_part(const TestLight& area_light, float s) {
   constexpr int samples = 150'000;
   const std::vector<ProjectionTarget> seen{{{0, 0, 0}, 0.5f}, {{3, 0, 1}, 2}};
   test::Lights lights({area_light.light(s)});
@@ -217,8 +217,8 @@ void expect_flux_of_every_part(const AreaLight& area_light, float s) {
 }
 
 TEST(close_lights, guided_photons_carry_what_every_part_of_the_light_emits_in_every_direction) {
-  for (const AreaLight& area_light : area_lights()) expect_flux_of_every_part(area_light, 1e4f);
-  for (const AreaLight& area_light : round_lights())
+  for (const TestLight& area_light : area_lights()) expect_flux_of_every_part(area_light, 1e4f);
+  for (const TestLight& area_light : round_lights())
     for (const float s : {1e7f, 1e9f}) expect_flux_of_every_part(area_light, s);
 }
 
