@@ -19,7 +19,6 @@
 #include "harness/diagnosis/sub_pixel_shift.h"
 #include "harness/diagnosis/test_defects.h"
 #include "scenes/base/input_error.h"
-#include "scenes/base/splitmix.h"
 
 namespace photonproof::inline harness_diagnosis {
 namespace {
@@ -271,14 +270,6 @@ const std::vector<Defect>& object_defects() {
   return defects;
 }
 
-/// Dark specks as a surface has that shadows itself.
-Image with_specks(Image image, const SceneKnowledge& knowledge, const std::string& where, float factor) {
-  for (std::size_t i = 0; i < image.pixels(); ++i)
-    if (knowledge.seen[i] > 0 && knowledge.landmarks[knowledge.seen[i] - 1u].name == where && splitmix64(7, i) % 8 == 0)
-      for (std::size_t c = 0; c < 3; ++c) image.rgb[3 * i + c] *= factor;
-  return image;
-}
-
 Image with_black(Image image, const SceneKnowledge& knowledge, const std::string& where) {
   for (std::size_t i = 0; i < image.pixels(); ++i)
     if (knowledge.seen[i] > 0 && knowledge.landmarks[knowledge.seen[i] - 1u].name == where)
@@ -297,8 +288,6 @@ const std::vector<Defect>& other_defects() {
        [](const Image& i, const K&) {
          return black_where(turn(i, "upside-down"), [](int x, int y) { return x % 18 == 0 || y % 18 == 0; });
        }},
-      {"acne", "course-1", "differs", "on the floor",
-       [](const Image& i, const K& k) { return with_specks(i, k, "floor", 0.1f); }},
       {"tinted_mirror", "course-1", "differs", "mirror sphere",
        [](const Image&, const K&) {
          return changed("course-1", [](SceneDescription& s) {

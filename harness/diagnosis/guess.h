@@ -22,10 +22,6 @@ struct Guess {
   std::vector<std::string> used;  ///< probes and what-ifs that are in `light`
 
   bool has(const std::string& name) const { return std::find(used.begin(), used.end(), name) != used.end(); }
-  /// So that a pixel shows `light` there, and no more than clamped.
-  bool shows_scene_as_it_is() const {
-    return turn + channels + tone == 0 && shift_x == 0 && shift_y == 0 && zoom == 1 && scale == 1 && blur == 0;
-  }
 };
 
 Image predicted(const Guess& guess, double white);

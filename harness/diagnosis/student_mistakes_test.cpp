@@ -121,7 +121,7 @@ TEST_F(StudentMistakes, glass_without_fresnel_reflects_nothing) {
                  glass.specular_transmittance = RgbD(0.95);  // all goes through, but for the glass's colour
                  set_material(scene, "glass", glass);
                }),
-               "differs", "not explained");
+               "glass-without-reflection", "the glass sphere reflects nothing");
 }
 
 TEST_F(StudentMistakes, a_light_that_is_drawn_from_in_one_quarter_is_told_from_hard_shadows) {
