@@ -1,8 +1,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "harness/stress/stress_scene.h"
 #include "harness/stress/sweep_rows.h"
-#include "harness/stress/test_scene.h"
 
 namespace photonproof::inline harness_stress {
 namespace {
@@ -10,7 +10,7 @@ namespace {
 double size_of(double k) { return std::pow(10.0, k); }
 
 SceneDescription seen() {
-  SceneDescription scene = lit_test_scene();
+  SceneDescription scene = lit_stress_scene();
   add_shape(scene, SphereDescription{}, standing({0, 1, 0}, 1), {0});
   return scene;
 }
@@ -47,7 +47,7 @@ Sweep telephoto() {
 Sweep grazing_view() {
   Sweep sweep{
       "camera orthographic", "grazing", "at a sine of 10^-k above a plane", {1, 2, 3, 4, 5, 6, 7, 9}, 6, [](double k) {
-        SceneDescription scene = empty_test_scene();
+        SceneDescription scene = empty_stress_scene();
         add_shape(scene, PlaneDescription{}, lying({0, 0, 0}, 1), add_bsdf(scene, DiffuseDescription{}));
         scene.emitters.push_back({{}, "", ConstantLightDescription{}});
         const double sine = size_of(-k);
@@ -82,7 +82,7 @@ Sweep clips() {
 
 /// [-1,1]^2 of squares under a sky, seen from straight above, so that it fills the picture: by any lens the same.
 SceneDescription squares() {
-  SceneDescription scene = empty_test_scene();
+  SceneDescription scene = empty_stress_scene();
   scene.textures.push_back({{}, "squares", CheckerboardDescription{RgbD(0.8), RgbD(0.2), Transform::scale(Vec3d(2))}});
   add_shape(scene, RectangleDescription{}, lying({0, 0, 0}, 1), add_bsdf(scene, DiffuseDescription{TextureIndex{0}}));
   scene.emitters.push_back({{}, "", ConstantLightDescription{}});

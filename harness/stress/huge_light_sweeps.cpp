@@ -3,8 +3,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "harness/stress/stress_scene.h"
 #include "harness/stress/sweep_rows.h"
-#include "harness/stress/test_scene.h"
 
 namespace photonproof::inline harness_stress {
 namespace {
@@ -126,7 +126,7 @@ std::vector<Sweep> huge_light_sweeps(const std::filesystem::path& assets) {
       sweep.heights = light.heights;
       sweep.wanted = 9;
       sweep.level = [=](double k) {
-        SceneDescription scene = test_scene_floor();
+        SceneDescription scene = stress_scene_floor();
         light.add(scene, std::pow(10.0, k));
         company.add(scene);
         return StressScene{scene};

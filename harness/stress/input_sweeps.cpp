@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "harness/stress/stress_scene.h"
 #include "harness/stress/sweep_rows.h"
-#include "harness/stress/test_scene.h"
 #include "scenes/files/atomic_file.h"
 #include "scenes/images/image.h"
 
@@ -69,7 +69,7 @@ Sweep number_in_mesh(const fs::path& assets, const char* sweep_run, const char* 
   };
   for (std::size_t i = 0; i < n; ++i) write_file_atomically(file(static_cast<double>(i)), text(numbers[i]));
   Sweep sweep{"input", sweep_run, measure, {}, -1, [=](double k) {
-                SceneDescription scene = lit_test_scene();
+                SceneDescription scene = lit_stress_scene();
                 MeshDescription floor;
                 floor.filename = file(k);
                 floor.face_normals = true;
@@ -123,7 +123,7 @@ Sweep no_number_in_picture(const fs::path& assets, const char* sweep_run,
 }
 
 SceneDescription painted_with(const std::string& file) {
-  SceneDescription scene = lit_test_scene();
+  SceneDescription scene = lit_stress_scene();
   BitmapDescription bitmap;
   bitmap.filename = file;
   scene.textures.push_back({{}, "bitmap", bitmap});
@@ -134,21 +134,21 @@ SceneDescription painted_with(const std::string& file) {
 SceneDescription under_the_sky_of(const std::string& file) {
   EnvmapDescription sky;
   sky.filename = file;
-  return test_scene_under(sky);
+  return stress_scene_under(sky);
 }
 
 }  // namespace
 
 std::vector<Sweep> input_sweeps(const std::filesystem::path& assets) {
-  const SceneDescription light = test_scene_under(PointLightDescription{{1, 5, -1}, RgbD(0.123456789)});
-  SceneDescription place = lit_test_scene();
+  const SceneDescription light = stress_scene_under(PointLightDescription{{1, 5, -1}, RgbD(0.123456789)});
+  SceneDescription place = lit_stress_scene();
   add_shape(place, SphereDescription{}, standing({0, 0.123456789, 0}, 1), {0});
-  SceneDescription radius = lit_test_scene();
+  SceneDescription radius = lit_stress_scene();
   add_shape(radius, SphereDescription{{0, 1, 0}, 0.123456789}, Transform(), {0});
   DielectricDescription ior;
   ior.int_ior = 1.23456789;
-  const SceneDescription glass = test_scene_with_bsdf(ior);
-  const SceneDescription rough = test_scene_with_bsdf(of_roughness<RoughConductorDescription>(0.123456789));
+  const SceneDescription glass = stress_scene_with_bsdf(ior);
+  const SceneDescription rough = stress_scene_with_bsdf(of_roughness<RoughConductorDescription>(0.123456789));
   std::vector<Sweep> sweeps;
   add_numbers(sweeps, "intensity", light, "0.123456789");
   add_numbers(sweeps, "place", place, "0.123456789");

@@ -4,8 +4,8 @@
 #include <filesystem>
 #include <numbers>
 
+#include "harness/stress/stress_scene.h"
 #include "harness/stress/sweep_rows.h"
-#include "harness/stress/test_scene.h"
 #include "scenes/images/image.h"
 
 namespace photonproof::inline harness_stress {
@@ -23,13 +23,13 @@ constexpr double intensity = 20;
 Sweep tiny(const char* shape, const Geometry& geometry, double area, bool is_ball) {
   const auto area_light = [=](double k) {
     const double size = power(-k);
-    return StressScene{test_scene_under_shape(geometry, is_ball ? standing(above, size) : hanging(above, size),
-                                              intensity / (area * size * size))};
+    return StressScene{stress_scene_under_shape(geometry, is_ball ? standing(above, size) : hanging(above, size),
+                                                intensity / (area * size * size))};
   };
   Sweep sweep{"light " + std::string(shape), "tiny", "a size of 10^-k, the same power",
               {4, 6, 9, 12, 15, 19},         9,      area_light};
   if (is_ball)
-    sweep.alike = [](double) { return StressScene{test_scene_under(PointLightDescription{above, RgbD(intensity)})}; };
+    sweep.alike = [](double) { return StressScene{stress_scene_under(PointLightDescription{above, RgbD(intensity)})}; };
   else
     sweep.alike = [=](double) { return area_light(3); };
   return sweep;
@@ -44,7 +44,7 @@ Sweep far(const char* shape, const Geometry& geometry, double area) {
     const double size = 0.003 * power(k);
     const Transform place =
         Transform::look_at(towards * power(k), {0, 0, 0}, {0, 1, 0}) * Transform::scale(Vec3d(size));
-    return StressScene{test_scene_under_shape(geometry, place, irradiance / (area * 0.003 * 0.003))};
+    return StressScene{stress_scene_under_shape(geometry, place, irradiance / (area * 0.003 * 0.003))};
   };
   return {"light " + std::string(shape),
           "far",
@@ -53,16 +53,16 @@ Sweep far(const char* shape, const Geometry& geometry, double area) {
           9,
           area_light,
           [](double) {
-            return StressScene{test_scene_under(DirectionalLightDescription{towards * -1.0, RgbD(irradiance)})};
+            return StressScene{stress_scene_under(DirectionalLightDescription{towards * -1.0, RgbD(irradiance)})};
           }};
 }
 
 std::vector<Sweep> point_lights() {
   const auto far_point = [](double k) {
-    return StressScene{test_scene_under(PointLightDescription{towards * power(k), RgbD(irradiance * power(2 * k))})};
+    return StressScene{stress_scene_under(PointLightDescription{towards * power(k), RgbD(irradiance * power(2 * k))})};
   };
   const auto beam = [](double) {
-    return StressScene{test_scene_under(DirectionalLightDescription{towards * -1.0, RgbD(irradiance)})};
+    return StressScene{stress_scene_under(DirectionalLightDescription{towards * -1.0, RgbD(irradiance)})};
   };
   const auto far_spot = [](double k) {
     SpotLightDescription spot;
@@ -70,11 +70,11 @@ std::vector<Sweep> point_lights() {
     spot.intensity = RgbD(irradiance * power(2 * k));
     spot.beam_degrees = 5;
     spot.cutoff_degrees = 10;
-    return StressScene{test_scene_under(spot)};
+    return StressScene{stress_scene_under(spot)};
   };
   // The light at the height 10^-k sin a; cosine over square of the distance stay.
   const auto grazing = [](double k) {
-    SceneDescription scene = test_scene_floor();
+    SceneDescription scene = stress_scene_floor();
     const double sine = power(-k);
     scene.emitters.push_back(
         {{}, "", DirectionalLightDescription{{std::sqrt(1 - sine * sine), -sine, 0}, RgbD(irradiance / sine)}});
@@ -99,7 +99,7 @@ const std::vector<std::string> with_light_paths{"path", "bdpt", "ptracer"};
 
 /// The floor under a spot light 2 above it, seen as far as its light reaches: a narrow beam looks like a wide one.
 StressScene beam_on_the_floor(double cutoff_degrees) {
-  SceneDescription scene = test_scene_floor();
+  SceneDescription scene = stress_scene_floor();
   SpotLightDescription spot;
   spot.to_world = Transform::look_at({0, 2, 0}, {0, 0, 0}, {0, 0, 1});
   spot.beam_degrees = 0.5 * cutoff_degrees;
@@ -133,10 +133,10 @@ std::vector<Sweep> angles_of_light() {
                spot.to_world = Transform::look_at(above, above - Vec3d{0, 1, 0}, {0, 0, 1});
                spot.intensity = RgbD(intensity);
                spot.beam_degrees = spot.cutoff_degrees = 90 - power(-k);
-               return StressScene{test_scene_under(spot)};
+               return StressScene{stress_scene_under(spot)};
              },
              [](double) {
-               return StressScene{test_scene_under(PointLightDescription{above, RgbD(intensity)})};
+               return StressScene{stress_scene_under(PointLightDescription{above, RgbD(intensity)})};
              }};
   const auto sun = [](double degrees) {
     SunSkyDescription light;
@@ -144,7 +144,7 @@ std::vector<Sweep> angles_of_light() {
     light.sun_direction = {towards.x, -towards.z, towards.y};
     light.sky_scale = 0;
     light.sun_aperture_degrees = degrees;
-    return StressScene{test_scene_under(light)};
+    return StressScene{stress_scene_under(light)};
   };
   Sweep small{"light sunsky",
               "small sun",
@@ -164,7 +164,7 @@ std::vector<Sweep> angles_of_light() {
 
 /// A disk or square of half width 10^k above floor and camera: of 10^4 it is all but 1e-6 of the upper half of a sky.
 StressScene under_plate(const Geometry& geometry, double k) {
-  return {test_scene_under_shape(geometry, hanging({0, 12, 0}, power(k)), 1)};
+  return {stress_scene_under_shape(geometry, hanging({0, 12, 0}, power(k)), 1)};
 }
 Sweep huge_plate(const char* shape, const Geometry& geometry) {
   const auto area_light = [=](double k) { return under_plate(geometry, k); };
@@ -182,14 +182,14 @@ Sweep huge_ball() {
       {7, 9, 11, 13, 15},
       9,
       [](double k) {
-        return StressScene{test_scene_under_shape(SphereDescription{}, standing({0, power(k) + 12, 0}, power(k)), 1)};
+        return StressScene{stress_scene_under_shape(SphereDescription{}, standing({0, power(k) + 12, 0}, power(k)), 1)};
       },
       [](double) { return under_plate(DiskDescription{}, 4); }};
 }
 
 /// The floor's far side alone, 6 to 10 away from what is at x = -7.
 SceneDescription floor_from_aside() {
-  SceneDescription scene = test_scene_floor();
+  SceneDescription scene = stress_scene_floor();
   scene.sensor.to_world = Transform::look_at({0, 7, 5}, {0, 0, 0}, {0, 1, 0});
   std::get<PerspectiveDescription>(scene.sensor.camera).fov_degrees = 20;
   return scene;
@@ -270,7 +270,7 @@ std::vector<Sweep> lights_on_surfaces_of_rooms() {
   spot.engines = {"path", "photonmapper", "ptracer"};
   spot.quick = 4;
   const auto on_the_floor = [](double k) {
-    SceneDescription scene = test_scene_floor();
+    SceneDescription scene = stress_scene_floor();
     const double height = k == 99 ? 0 : power(-k);
     add_shape(scene, RectangleDescription{}, lying({0.3, height, 0.2}, 1), add_bsdf(scene, DiffuseDescription{}))
         .radiance = RgbD(1);
@@ -331,12 +331,12 @@ Sweep dark_among_bright() {
           {2, 6, 12, 20, 30},
           30,
           [](double k) {
-            SceneDescription scene = test_scene_under(PointLightDescription{above, RgbD(intensity)});
+            SceneDescription scene = stress_scene_under(PointLightDescription{above, RgbD(intensity)});
             scene.emitters.push_back({{}, "", PointLightDescription{{-2, 4, 1}, RgbD(intensity * power(-k) * 1e-2)}});
             return StressScene{scene};
           },
           [](double) {
-            return StressScene{test_scene_under(PointLightDescription{above, RgbD(intensity)})};
+            return StressScene{stress_scene_under(PointLightDescription{above, RgbD(intensity)})};
           }};
 }
 

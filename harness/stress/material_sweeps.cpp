@@ -2,8 +2,8 @@
 #include <filesystem>
 #include <stdexcept>
 
+#include "harness/stress/stress_scene.h"
 #include "harness/stress/sweep_rows.h"
-#include "harness/stress/test_scene.h"
 
 namespace photonproof::inline harness_stress {
 namespace {
@@ -14,7 +14,7 @@ const std::vector<std::string> from_the_camera{"path", "photonmapper", "bdpt", "
 const std::vector<std::string> two_ways{"path", "bdpt"};
 
 std::function<StressScene(double)> stage_of(const std::function<BsdfModel(double)>& model) {
-  return [=](double k) { return StressScene{test_scene_with_bsdf(model(k))}; };
+  return [=](double k) { return StressScene{stress_scene_with_bsdf(model(k))}; };
 }
 
 template <class Glass>
@@ -29,7 +29,7 @@ Glass with_ior(double ior) {
 Sweep ior_near_one(const char* feature, const std::function<BsdfModel(double)>& model) {
   Sweep sweep{feature, "ior near 1", "an ior of 1 + 10^-k", {4, 5, 6, 7, 8, 9, 12, 20}, 12, stage_of(model)};
   sweep.alike = [](double) {
-    SceneDescription scene = test_scene_with_bsdf(NullDescription{});
+    SceneDescription scene = stress_scene_with_bsdf(NullDescription{});
     return StressScene{scene};
   };
   return sweep;
@@ -81,7 +81,7 @@ std::vector<Sweep> coats() {
                             lossless("bsdf plastic", "ior near 1", "an ior of 1 + 10^-k", {3, 6, 9, 16}, 16,
                                      [=](double k) { return white(1 + ten(-k)); })};
   const auto lacquer = [](double thickness, double absorption) {
-    SceneDescription scene = lit_test_scene();
+    SceneDescription scene = lit_stress_scene();
     const BsdfIndex wood = add_bsdf(scene, DiffuseDescription{RgbD(0.8)});
     LayeredDescription layer;
     layer.base = wood;
@@ -109,7 +109,7 @@ std::vector<Sweep> coats() {
 std::vector<Sweep> shares() {
   const auto floor_of = [](const auto& model_of) {
     return [=](double k) {
-      SceneDescription scene = test_scene_floor();
+      SceneDescription scene = stress_scene_floor();
       const BsdfIndex black = add_bsdf(scene, DiffuseDescription{RgbD(0.0)});
       scene.shapes[0].bsdf = add_bsdf(scene, model_of(scene, black, ten(-k)));
       scene.emitters.push_back({{}, "", ConstantLightDescription{}});
@@ -171,7 +171,7 @@ std::vector<Sweep> bumps(const std::filesystem::path& assets) {
 std::vector<Sweep> roughness() {
   const std::vector<double> heights{5, 6, 7, 9, 12, 20, 37};
   const auto smooth = [](const BsdfModel& model) {
-    return [=](double) { return StressScene{test_scene_with_bsdf(model)}; };
+    return [=](double) { return StressScene{stress_scene_with_bsdf(model)}; };
   };
   const auto row = [&](const char* feature, const std::function<BsdfModel(double)>& rough, const BsdfModel& model) {
     return Sweep{feature,         "roughness to 0", "alpha = 10^-k, against the smooth one", heights, 9,

@@ -1,7 +1,7 @@
 #include <cmath>
 
+#include "harness/stress/stress_scene.h"
 #include "harness/stress/sweep_rows.h"
-#include "harness/stress/test_scene.h"
 
 namespace photonproof::inline harness_stress {
 namespace {
@@ -9,7 +9,7 @@ namespace {
 double tens(double k) { return std::pow(10.0, k); }
 
 /// Light by glass and light between walls: both maps have something to hold.
-SceneDescription with_glass() { return test_scene_with_bsdf(DielectricDescription{}); }
+SceneDescription with_glass() { return stress_scene_with_bsdf(DielectricDescription{}); }
 
 /// Every photon leaves the scene; the floor has no light.
 SceneDescription under_a_light_that_looks_away() {

@@ -1,19 +1,19 @@
 #include <cmath>
 #include <filesystem>
 
+#include "harness/stress/stress_scene.h"
 #include "harness/stress/sweep_rows.h"
-#include "harness/stress/test_scene.h"
 
 namespace photonproof::inline harness_stress {
 namespace {
 
 namespace fs = std::filesystem;
 
-StressScene lit(double) { return {lit_test_scene()}; }
+StressScene lit(double) { return {lit_stress_scene()}; }
 
 /// The floor is this shape, so large that what is seen of it is flat.
 StressScene with_floor(const Geometry& geometry, const Transform& to_world) {
-  SceneDescription scene = lit_test_scene();
+  SceneDescription scene = lit_stress_scene();
   scene.shapes[0].geometry = geometry;
   scene.shapes[0].to_world = to_world;
   return {scene};
@@ -94,7 +94,7 @@ std::vector<Sweep> huge_floors(const fs::path& assets) {
 std::vector<Sweep> bystanders() {
   const auto beside = [](const Geometry& geometry, const std::function<Transform(double)>& place) {
     return [=](double k) {
-      SceneDescription scene = lit_test_scene();
+      SceneDescription scene = lit_stress_scene();
       add_shape(scene, geometry, place(k), {0});
       return StressScene{scene};
     };
@@ -211,7 +211,7 @@ std::vector<Sweep> towers(const fs::path& assets) {
                 {2, 4, 5, 6, 7, 8, 9, 12, 15},
                 9,
                 [geometry = geometry](double k) {
-                  SceneDescription scene = empty_test_scene();
+                  SceneDescription scene = empty_stress_scene();
                   const double half = 0.5 * ten_to(k);
                   add_shape(scene, geometry, Transform::translate({0, -half, 0}) * Transform::scale({5, half, 5}),
                             add_bsdf(scene, DiffuseDescription{}));
@@ -252,7 +252,7 @@ Sweep many_copies(const fs::path& assets) {
           {4, 6, 8},
           8,
           [mesh](double k) {
-            SceneDescription scene = lit_test_scene();
+            SceneDescription scene = lit_stress_scene();
             const BsdfIndex grey = scene.shapes[0].bsdf;
             ShapeGroupDescription group;
             group.id = "tile";
@@ -306,14 +306,14 @@ std::vector<Sweep> near_faces() {
   const std::vector<double> heights{4, 5, 6, 7, 8, 9, 12, 20, 99};
   const auto gap = [](double k) { return k == 99 ? 0 : ten_to(-k); };
   const auto two_floors = [=](double k) {
-    SceneDescription scene = lit_test_scene();
+    SceneDescription scene = lit_stress_scene();
     add_shape(scene, RectangleDescription{}, lying({0, -gap(k), 0}, 8), {0});
     return StressScene{scene};
   };
   // Seen from below is a closed box without thickness to speak of; the light is above it, and nothing else shines.
   const auto shell = [](const Geometry& geometry) {
     return [=](double k) {
-      SceneDescription scene = lit_test_scene();
+      SceneDescription scene = lit_stress_scene();
       scene.shapes.erase(scene.shapes.begin());
       add_shape(scene, geometry, Transform::scale({9, 0.5 * ten_to(-k), 9}), {0});
       scene.sensor.to_world = Transform::look_at({0, -4, 7}, {0, 0, 0}, {0, 1, 0});

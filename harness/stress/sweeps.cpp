@@ -1,9 +1,9 @@
 #include <cmath>
 
+#include "harness/stress/stress_scene.h"
 #include "harness/stress/sweep.h"
 #include "harness/stress/sweep_rows.h"
 #include "harness/stress/sweep_runs.h"
-#include "harness/stress/test_scene.h"
 
 namespace photonproof::inline harness_stress {
 namespace {

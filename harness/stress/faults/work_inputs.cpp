@@ -1,6 +1,6 @@
 #include "harness/stress/faults/work_inputs.h"
 
-#include "harness/stress/test_scene.h"
+#include "harness/stress/stress_scene.h"
 #include "scenes/files/atomic_file.h"
 #include "scenes/xml/writer.h"
 
@@ -100,7 +100,7 @@ void write_submission(const fs::path& folder, const std::string& comment) {
 
 void write_work_inputs(const fs::path& inputs) {
   fs::create_directories(inputs / "scene");
-  write_file_atomically(inputs / "scene" / "scene.xml", write_scene(lit_test_scene()));
+  write_file_atomically(inputs / "scene" / "scene.xml", write_scene(lit_stress_scene()));
   write_file_atomically(inputs / "bench.toml", bench_suite);
   write_file_atomically(inputs / "gates.toml", gate_suite);
   write_file_atomically(inputs / "course.toml", course);

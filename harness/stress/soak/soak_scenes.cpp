@@ -4,7 +4,7 @@
 #include <array>
 #include <stdexcept>
 
-#include "harness/stress/test_scene.h"
+#include "harness/stress/stress_scene.h"
 #include "scenes/files/atomic_file.h"
 #include "scenes/xml/writer.h"
 

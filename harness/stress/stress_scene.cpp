@@ -1,4 +1,4 @@
-#include "harness/stress/test_scene.h"
+#include "harness/stress/stress_scene.h"
 
 #include <filesystem>
 #include <mutex>
@@ -29,7 +29,7 @@ Transform lying(const Vec3d& at, double size) { return standing(at, size) * Tran
 
 Transform hanging(const Vec3d& at, double size) { return standing(at, size) * Transform::rotate({1, 0, 0}, 90); }
 
-SceneDescription empty_test_scene() {
+SceneDescription empty_stress_scene() {
   SceneDescription scene;
   PerspectiveDescription camera;
   camera.fov_degrees = 32;
@@ -39,22 +39,22 @@ SceneDescription empty_test_scene() {
   return scene;
 }
 
-SceneDescription test_scene_floor() {
-  SceneDescription scene = empty_test_scene();
+SceneDescription stress_scene_floor() {
+  SceneDescription scene = empty_stress_scene();
   const BsdfIndex grey = add_bsdf(scene, DiffuseDescription{});
   add_shape(scene, RectangleDescription{}, lying({0, 0, 0}, 8), grey);
   return scene;
 }
 
-SceneDescription lit_test_scene() {
-  SceneDescription scene = test_scene_floor();
+SceneDescription lit_stress_scene() {
+  SceneDescription scene = stress_scene_floor();
   const BsdfIndex black = add_bsdf(scene, DiffuseDescription{RgbD(0.0)});
   add_shape(scene, RectangleDescription{}, hanging({1, 5, -1}, 1), black).radiance = RgbD(6);
   return scene;
 }
 
-SceneDescription test_scene_with_bsdf(const BsdfModel& model) {
-  SceneDescription scene = lit_test_scene();
+SceneDescription stress_scene_with_bsdf(const BsdfModel& model) {
+  SceneDescription scene = lit_stress_scene();
   scene.textures.push_back({{}, "squares", CheckerboardDescription{RgbD(0.7), RgbD(0.3), Transform::scale(Vec3d(8))}});
   std::get<DiffuseDescription>(scene.bsdfs[0].model).reflectance = TextureIndex{0};
   const BsdfIndex own = add_bsdf(scene, model);
@@ -62,15 +62,15 @@ SceneDescription test_scene_with_bsdf(const BsdfModel& model) {
   return scene;
 }
 
-SceneDescription test_scene_under(const Light& light) {
-  SceneDescription scene = test_scene_floor();
+SceneDescription stress_scene_under(const Light& light) {
+  SceneDescription scene = stress_scene_floor();
   add_shape(scene, SphereDescription{}, standing({-0.5, 0.7, 0}, 0.7), {0});
   scene.emitters.push_back({{}, "", light});
   return scene;
 }
 
-SceneDescription test_scene_under_shape(const Geometry& geometry, const Transform& to_world, double radiance) {
-  SceneDescription scene = test_scene_floor();
+SceneDescription stress_scene_under_shape(const Geometry& geometry, const Transform& to_world, double radiance) {
+  SceneDescription scene = stress_scene_floor();
   add_shape(scene, SphereDescription{}, standing({-0.5, 0.7, 0}, 0.7), {0});
   const BsdfIndex black = add_bsdf(scene, DiffuseDescription{RgbD(0.0)});
   add_shape(scene, geometry, to_world, black).radiance = RgbD(radiance);
@@ -78,7 +78,7 @@ SceneDescription test_scene_under_shape(const Geometry& geometry, const Transfor
 }
 
 SceneDescription closed_sphere(double emission, double albedo) {
-  SceneDescription scene = empty_test_scene();
+  SceneDescription scene = empty_stress_scene();
   ShapeDescription& wall = add_shape(scene, SphereDescription{}, {}, add_bsdf(scene, DiffuseDescription{RgbD(albedo)}));
   wall.flip_normals = true;
   wall.radiance = RgbD(emission);
@@ -90,7 +90,7 @@ SceneDescription closed_sphere(double emission, double albedo) {
 }
 
 SceneDescription ball_in_uniform_sky(const BsdfModel& model) {
-  SceneDescription scene = empty_test_scene();
+  SceneDescription scene = empty_stress_scene();
   add_shape(scene, SphereDescription{}, standing({0, 0.3, 0}, 1), add_bsdf(scene, model));
   scene.emitters.push_back({{}, "", ConstantLightDescription{}});
   return scene;

@@ -3,7 +3,7 @@
 #include <functional>
 #include <numbers>
 
-#include "harness/stress/test_scene.h"
+#include "harness/stress/stress_scene.h"
 #include "scenes/files/atomic_file.h"
 #include "scenes/images/image.h"
 
@@ -56,7 +56,7 @@ std::string light_file(const fs::path& assets) {
 }
 
 SceneDescription with_shape(const Geometry& geometry, const Transform& to_world) {
-  SceneDescription scene = lit_test_scene();
+  SceneDescription scene = lit_stress_scene();
   add_shape(scene, geometry, to_world, {0});
   return scene;
 }
@@ -76,7 +76,7 @@ void add_shapes(std::vector<NamedScene>& scenes, const fs::path& assets) {
   plane.shapes[0].geometry = PlaneDescription{};
   plane.shapes[0].to_world = lying({0, 0, 0}, 1);
   scenes.emplace_back("shape plane", plane);
-  SceneDescription instance = lit_test_scene();
+  SceneDescription instance = lit_stress_scene();
   ShapeGroupDescription group;
   group.id = "group";
   ShapeDescription member;
@@ -88,8 +88,8 @@ void add_shapes(std::vector<NamedScene>& scenes, const fs::path& assets) {
 }
 
 /// Ones that are made of others stand on the ball as the last BSDF.
-SceneDescription test_scene_with_wrapped(const BsdfModel& inner, const std::function<BsdfModel(BsdfIndex)>& wrap) {
-  SceneDescription scene = test_scene_with_bsdf(inner);
+SceneDescription stress_scene_with_wrapped(const BsdfModel& inner, const std::function<BsdfModel(BsdfIndex)>& wrap) {
+  SceneDescription scene = stress_scene_with_bsdf(inner);
   const BsdfIndex own = scene.shapes.back().bsdf;
   scene.bsdfs[own.value].id = "inner";
   scene.shapes.back().bsdf = add_bsdf(scene, wrap(own));
@@ -98,7 +98,7 @@ SceneDescription test_scene_with_wrapped(const BsdfModel& inner, const std::func
 
 void add_plain_bsdfs(std::vector<NamedScene>& scenes) {
   const auto add = [&](const char* name, const BsdfModel& model) {
-    scenes.emplace_back(std::string("bsdf ") + name, test_scene_with_bsdf(model));
+    scenes.emplace_back(std::string("bsdf ") + name, stress_scene_with_bsdf(model));
   };
   add("diffuse", DiffuseDescription{RgbD{0.7, 0.4, 0.2}});
   add("conductor", ConductorDescription{ComplexIor{RgbD{0.2, 0.9, 1.1}, RgbD{3.9, 2.4, 2.2}}});
@@ -113,7 +113,7 @@ void add_plain_bsdfs(std::vector<NamedScene>& scenes) {
 
 void add_wrapping_bsdfs(std::vector<NamedScene>& scenes, const fs::path& assets) {
   const auto add = [&](const char* name, const BsdfModel& inner, const std::function<BsdfModel(BsdfIndex)>& wrap) {
-    scenes.emplace_back(std::string("bsdf ") + name, test_scene_with_wrapped(inner, wrap));
+    scenes.emplace_back(std::string("bsdf ") + name, stress_scene_with_wrapped(inner, wrap));
   };
   const DiffuseDescription red{RgbD{0.7, 0.4, 0.2}};
   add("twosided", red, [](BsdfIndex i) { return TwoSidedDescription{i, i}; });
@@ -145,7 +145,7 @@ void add_wrapping_bsdfs(std::vector<NamedScene>& scenes, const fs::path& assets)
 
 void add_shapes_that_emit(std::vector<NamedScene>& scenes, const fs::path& assets) {
   const auto add = [&](const char* name, const Geometry& geometry, const Transform& to_world, double radiance) {
-    scenes.emplace_back(std::string("light ") + name, test_scene_under_shape(geometry, to_world, radiance));
+    scenes.emplace_back(std::string("light ") + name, stress_scene_under_shape(geometry, to_world, radiance));
   };
   add("rectangle", RectangleDescription{}, hanging({1, 5, -1}, 1), 6);
   add("disk", DiskDescription{}, hanging({1, 5, -1}, 1), 8);
@@ -156,7 +156,7 @@ void add_shapes_that_emit(std::vector<NamedScene>& scenes, const fs::path& asset
 
 void add_lights(std::vector<NamedScene>& scenes, const fs::path& assets) {
   const auto add = [&](const char* name, const Light& light) {
-    scenes.emplace_back(std::string("light ") + name, test_scene_under(light));
+    scenes.emplace_back(std::string("light ") + name, stress_scene_under(light));
   };
   const Transform down = Transform::look_at({1, 5, -1}, {0, 0, 0}, {0, 0, 1});
   add("point", PointLightDescription{{1, 5, -1}, RgbD(20)});
@@ -198,13 +198,13 @@ void add_cameras(std::vector<NamedScene>& scenes) {
 }
 
 void add_textures_and_media(std::vector<NamedScene>& scenes, const fs::path& assets) {
-  SceneDescription scene = test_scene_with_bsdf(DiffuseDescription{});
+  SceneDescription scene = stress_scene_with_bsdf(DiffuseDescription{});
   BitmapDescription bitmap;
   bitmap.filename = picture_file(assets);
   scene.textures.push_back({{}, "bitmap", bitmap});
   std::get<DiffuseDescription>(scene.bsdfs.back().model).reflectance = TextureIndex{1};
   scenes.emplace_back("texture bitmap", scene);
-  SceneDescription fog = lit_test_scene();
+  SceneDescription fog = lit_stress_scene();
   fog.media.push_back({{}, "fog", HomogeneousDescription{RgbD{0.5, 0.7, 1.0}, RgbD(0.8), 1, {}}});
   add_shape(fog, SphereDescription{}, standing({0, 1, 0}, 1), add_bsdf(fog, NullDescription{})).interior =
       MediumIndex{0};

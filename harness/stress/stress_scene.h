@@ -38,17 +38,17 @@ Transform hanging(const Vec3d& at, double size);
 Transform standing(const Vec3d& at, double size);
 
 /// The camera alone: from (0, 7, 5) towards the origin, 32 degrees wide.
-SceneDescription empty_test_scene();
+SceneDescription empty_stress_scene();
 /// With the floor, [-8,8]^2.
-SceneDescription test_scene_floor();
+SceneDescription stress_scene_floor();
 /// With the light, too: half edge 1, radiance 6, at (1, 5, -1).
-SceneDescription lit_test_scene();
+SceneDescription lit_stress_scene();
 /// With `model` on a ball of radius 1 that touches the floor; a checkerboard under it.
-SceneDescription test_scene_with_bsdf(const BsdfModel& model);
+SceneDescription stress_scene_with_bsdf(const BsdfModel& model);
 /// Floor and ball of radius 0.7, lit by `light` alone.
-SceneDescription test_scene_under(const Light& light);
+SceneDescription stress_scene_under(const Light& light);
 /// Lit by a shape alone, which emits.
-SceneDescription test_scene_under_shape(const Geometry& geometry, const Transform& to_world, double radiance);
+SceneDescription stress_scene_under_shape(const Geometry& geometry, const Transform& to_world, double radiance);
 
 /// A closed sphere of radius 1 that emits e and reflects rho: e / (1 - rho) everywhere.
 SceneDescription closed_sphere(double emission, double albedo);
