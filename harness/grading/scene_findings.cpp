@@ -14,6 +14,7 @@ namespace {
 bool is_mistake(const Finding& finding) { return finding.kind != "noise" && finding.kind != "fireflies"; }
 
 bool is_undecided(const GradedCheck& check) { return check.side == GradedCheck::Side::undecided; }
+bool is_outside(const GradedCheck& check) { return check.side == GradedCheck::Side::outside; }
 
 }  // namespace
 
@@ -82,8 +83,9 @@ std::vector<Finding> SceneFindings::mistakes_in(const SceneWorkGrade& work, std:
 void SceneFindings::add(std::size_t scene, SceneWorkGrade& work) {
   if (work.grade.verdict == SceneVerdict::failed || work.images.empty() || !references_[scene]) return;
   std::vector<Finding> findings = mistakes_in(work, scene);
-  // The page then shows the picture of what differs, and claims nothing.
-  if (findings.empty() && work.grade.verdict == SceneVerdict::wrong)
+  // The page then shows the picture of what differs, and claims nothing. A scene that is wrong for another reason, such
+  // as an image that is copied, has its sentence.
+  if (findings.empty() && std::ranges::any_of(work.grade.checks, is_outside))
     findings.push_back({"differs",
                         "differs here, not explained",
                         "",

@@ -17,9 +17,9 @@ TEST(SceneFindings, a_failed_render_leaves_plainer_sentences_and_is_told_once_a_
   scenes[0].row.name = "room";
   scenes[0].description = parse_scene_file(PHOTONPROOF_SOURCE_DIR "/scenes/library/cornell/scene.xml");
   Image grey(32, 32);
-  std::fill(grey.rgb.begin(), grey.rgb.end(), 0.4f);
   for (int y = 0; y < 32; ++y)
-    for (int x = 0; x < 16; ++x) grey.pixel(x, y)[0] = 0.2f;
+    for (int x = 0; x < 32; ++x)
+      for (int c = 0; c < 3; ++c) grey.pixel(x, y)[c] = 0.1f + 0.01f * static_cast<float>(x + c * y / 4);
   const std::vector<std::optional<SceneReference>> references{SceneReference{{grey, Image(32, 32), {}}, 4, 3, "given"}};
   OwnEngine none;
   none.program = "/there/is/no/such/program";

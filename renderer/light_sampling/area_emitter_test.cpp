@@ -107,7 +107,7 @@ TEST_F(AreaEmitter, of_a_shape_without_a_bsdf_stands_on_black) {
 
 TEST_F(AreaEmitter, wears_its_texture) {
   // u grows along the rectangle's local x, v along y: the first texel is at (-, -).
-  put_four_texels("lamp.exr");
+  put_four_texels("light.exr");
   const std::string light =
       glowing("rectangle", "",
               "<texture type='bitmap' name='radiance'><string name='filename' value='light.exr'/><boolean "

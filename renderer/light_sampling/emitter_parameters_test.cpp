@@ -280,7 +280,7 @@ class IesParameters : public EmitterParameters {
  protected:
   /// Candela at these angles from the nadir, -z, and from C0, +x, over C90, +y, under the light of `file`.
   double candela(const std::string& file, double vertical, double horizontal, const std::string& rest = "") {
-    put("lamp.ies", "IESNA:LM-63-2002\nTILT=NONE\n" + file);
+    put("light.ies", "IESNA:LM-63-2002\nTILT=NONE\n" + file);
     const Vec3d below = around_z(180 - vertical, horizontal);
     return irradiance("<emitter type='ies'><string name='filename' value='light.ies'/>" + rest + "</emitter>", below,
                       -below)
@@ -344,7 +344,7 @@ TEST_F(IesParameters, multiplier_ballast_and_light_factors_and_intensity_multipl
 TEST_F(IesParameters, light_is_placed_and_turned_by_to_world) {
   // A quarter turn about x takes the nadir from -z to +y and C90 from +y to +z; then to (1,2,3). 30 degrees from the
   // nadir to C90: (0, cos 30, sin 30); to C0: (sin 30, cos 30, 0).
-  put("lamp.ies", "TILT=NONE\n" + kQuadrant);
+  put("light.ies", "TILT=NONE\n" + kQuadrant);
   const std::string light =
       "<emitter type='ies'><string name='filename' value='light.ies'/><transform name='to_world'>"
       "<rotate x='1' angle='90'/><translate x='1' y='2' z='3'/></transform></emitter>";

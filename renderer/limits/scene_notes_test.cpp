@@ -273,7 +273,7 @@ std::shared_ptr<TriangleMesh> mesh_of(const std::vector<Vec3f>& positions) {
 SceneDescription light_of(const std::shared_ptr<TriangleMesh>& mesh, const RgbD& radiance) {
   SceneDescription d = test::room(4, false);
   d.files = {"s.xml"};
-  test::add_shape(d, MeshDescription{MeshDescription::Format::ply, "lamp.ply", true, false, mesh}, {}, {0}).radiance =
+  test::add_shape(d, MeshDescription{MeshDescription::Format::ply, "light.ply", true, false, mesh}, {}, {0}).radiance =
       radiance;
   d.shapes.back().loc = {0, 7, 3};
   return d;

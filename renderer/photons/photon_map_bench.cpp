@@ -296,7 +296,7 @@ void register_all() {
       };
       const std::string how = coherent ? "_coherent" : "_random";
       for (const bool sparse : {false, true}) {
-        const std::string task = "photon_look_up" + std::string(sparse ? "_sparse" : "") + how;
+        const std::string task = "photon_gather" + std::string(sparse ? "_sparse" : "") + how;
         const auto radius = [sparse](const SceneInterface& w) { return sparse ? w.radius / sparse_by : w.radius; };
         for (const bool sorted : {false, true}) {
           const auto map = [sparse](const SceneInterface& w) -> const PhotonMap& { return sparse ? w.compact : w.map; };

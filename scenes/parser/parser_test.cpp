@@ -166,7 +166,7 @@ TEST(parser, reads_area_lights) {
 TEST(parser, places_point_lights_by_position_or_transform) {
   const auto position = [](const std::string& parameter) {
     const auto scene = parse("<emitter type='point' id='light'>" + parameter + "</emitter>");
-    EXPECT_EQ(scene.emitters.at(1).id, "lamp");
+    EXPECT_EQ(scene.emitters.at(1).id, "light");
     return std::get<PointLightDescription>(scene.emitters.at(1).light).position;
   };
   EXPECT_EQ(position("<point name='position' value='1 2 3'/>"), Vec3d(1, 2, 3));
