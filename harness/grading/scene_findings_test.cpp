@@ -26,7 +26,7 @@ TEST(SceneFindings, a_failed_render_leaves_plainer_sentences_and_is_told_once_a_
   const std::vector<std::optional<SceneWorkGrade>> baseline(1);
   SceneFindings findings(assignment, scenes, references, baseline, none, [](const std::string&) {});
   EXPECT_THAT(findings.problems(), testing::IsEmpty());
-  for (const float factor : {0.5f, 0.6f}) {
+  for (const float factor : {0.46566129f, 0.58207661f}) {  // 1.25^9 / 16 and 1.25^10 / 16, which diagnosis tries
     SceneWorkGrade work;
     work.grade.verdict = SceneVerdict::wrong;
     work.images = {grey};
