@@ -44,12 +44,12 @@ bool holds_light(const SceneParts& scene, const Solid& solid) {
 
 /// A shape that is solid by itself. Cubes are six surfaces.
 std::optional<Solid> solid_of(const Geometry& geometry) {
-  using Found = std::optional<Solid>;
+  using MaybeSolid = std::optional<Solid>;
   return std::visit(
-      Overloaded{[](const Sphere& ball) -> Found { return Solid::of_ball(ball); }, [](const Quad&) { return Found(); },
-                 [](const renderer_shapes::Plane&) { return Found(); }, [](const Disk&) { return Found(); },
-                 [](const Cylinder&) { return Found(); }, [](const Mesh&) { return Found(); },
-                 [](const MeshInstance&) { return Found(); }},
+      Overloaded{[](const Sphere& ball) -> Found { return Solid::of_ball(ball); },
+                 [](const Quad&) { return MaybeSolid(); }, [](const renderer_shapes::Plane&) { return MaybeSolid(); },
+                 [](const Disk&) { return MaybeSolid(); }, [](const Cylinder&) { return MaybeSolid(); },
+                 [](const Mesh&) { return MaybeSolid(); }, [](const MeshInstance&) { return MaybeSolid(); }},
       geometry);
 }
 
@@ -69,13 +69,14 @@ std::vector<PlacedSolid> solids_of(const SceneParts& scene) {
 
 /// What the solid covers of a flat surface; nothing of others, whose gathers count all of their discs.
 std::optional<Footprint> footprint(const Solid& solid, const Geometry& geometry) {
-  using Found = std::optional<Footprint>;
-  return std::visit(Overloaded{[&](const Quad& quad) { return Footprint::of(solid, quad); },
-                               [&](const renderer_shapes::Plane& plane) { return Footprint::of(solid, plane); },
-                               [](const Disk&) { return Found(); }, [](const Sphere&) { return Found(); },
-                               [](const Cylinder&) { return Found(); }, [](const Mesh&) { return Found(); },
-                               [](const MeshInstance&) { return Found(); }},
-                    geometry);
+  using MaybeFootprint = std::optional<Footprint>;
+  return std::visit(
+      Overloaded{[&](const Quad& quad) { return Footprint::of(solid, quad); },
+                 [&](const renderer_shapes::Plane& plane) { return Footprint::of(solid, plane); },
+                 [](const Disk&) { return MaybeFootprint(); }, [](const Sphere&) { return MaybeFootprint(); },
+                 [](const Cylinder&) { return MaybeFootprint(); }, [](const Mesh&) { return MaybeFootprint(); },
+                 [](const MeshInstance&) { return MaybeFootprint(); }},
+      geometry);
 }
 
 /// What two cover together must count once: of those that overlap the larger is left.
