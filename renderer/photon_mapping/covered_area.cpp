@@ -46,7 +46,7 @@ bool holds_light(const SceneParts& scene, const Solid& solid) {
 std::optional<Solid> solid_of(const Geometry& geometry) {
   using MaybeSolid = std::optional<Solid>;
   return std::visit(
-      Overloaded{[](const Sphere& ball) -> Found { return Solid::of_ball(ball); },
+      Overloaded{[](const Sphere& ball) -> MaybeSolid { return Solid::of_ball(ball); },
                  [](const Quad&) { return MaybeSolid(); }, [](const renderer_shapes::Plane&) { return MaybeSolid(); },
                  [](const Disk&) { return MaybeSolid(); }, [](const Cylinder&) { return MaybeSolid(); },
                  [](const Mesh&) { return MaybeSolid(); }, [](const MeshInstance&) { return MaybeSolid(); }},
