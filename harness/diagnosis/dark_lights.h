@@ -1,6 +1,5 @@
-// Lights that come out dark, as overflow in 8 bits makes them. How dark it makes them follows from how much brighter
-// than white they are, which a reference of 8 bits does not tell; and small ones are all edge, where blocks show
-// nothing.
+// Lights that come out dark, as overflow in 8 bits makes them. How dark they become depends on how much brighter
+// than white they are, which a reference of 8 bits does not hold. Small lights are all edge, where blocks show nothing.
 #pragma once
 
 #include <optional>

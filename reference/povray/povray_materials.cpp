@@ -58,7 +58,7 @@ struct CoatLayer {
 
 /// What of the light enters the coat. POV-Ray's `brilliance` b has the diffuse light of a light go by cos^b: a sum of
 /// powers of its cosine, some of them with negative pigments. Radiosity adds all layers up as if light came head on:
-/// one that lights light only within a hundredth of a degree of it makes the sum the mean over all directions.
+/// one that lights reach only within a hundredth of a degree of it makes the sum the mean over all directions.
 std::vector<CoatLayer> entering_layers(const Coat& coat) {
   std::vector<CoatLayer> layers;
   RgbD rest = coat.mean_crossing();
