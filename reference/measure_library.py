@@ -29,7 +29,7 @@ import tomllib
 ROOT = pathlib.Path(__file__).resolve().parents[1]
 LIBRARY = ROOT / "scenes" / "library"
 NAMES = {"povray": "POV-Ray", "cycles": "Cycles"}
-# The budget's option; how far the mean may be off, in percent; whether a residual needs no cause.
+# Option that sets the budget. Allowed error of the mean in percent. Residuals that need no stated cause.
 BUDGET = {"povray": "quality", "cycles": "spp"}
 AIMED = {"povray": 0.5, "cycles": 0.3}
 SMALL = {
@@ -38,9 +38,9 @@ SMALL = {
                                 for mean in (found, found.get("pairs")) if mean),
 }
 
-# Of pairs: how many times the samples an image has; the fewest; what the table says of them.
+# Pairs of images: factor on an image's samples, the least number of pairs, and the table's text.
 TIMES_A_PAIR = 4
-FEWEST_PAIRS = 8  # of four the spread was once a third of what it is
+FEWEST_PAIRS = 8  # with four the spread was once a third of the true one
 PAIRS = {
     "povray": "By pairs: where paths were or the mean is off by more than 0.5 %, its difference over images by paths (quality 4) of "
               "several seeds, each against a reference of its own, or the stored one.",
@@ -48,11 +48,11 @@ PAIRS = {
               "and several seeds, each against a reference of its own.",
 }
 
-# POV-Ray's presets: the highest with a cache, how many times as long the next takes, how long a scene may, and the one
-# without a cache, which is asked where the others are not enough.
+# POV-Ray's presets: the highest with a cache, the time factor to the next, and the most seconds for a scene. The last
+# is the preset without a cache, used where the others are not accurate enough.
 HIGHEST_QUALITY, TIMES_A_QUALITY, MOST_SECONDS, BY_PATHS = 3, 4, 20, 4
 
-# Who finds the light of a scene; path where nothing is said.
+# Integrator of each scene's reference; `path` for scenes not listed.
 INTEGRATORS = {
     "bdpt": ["cornell-spheres", "course-1", "caustic-glass", "mirror-light", "keyhole", "corridor", "course-2", "course-3",
              "pool", "water-caustic"],

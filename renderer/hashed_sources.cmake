@@ -1,5 +1,5 @@
-# hashed_sources(OUT folders...): every source under the folders, in whatever room, that takes part in the program. With
-# source_hash.cmake they make the hash by which stored results know whether they still hold.
+# hashed_sources(OUT folders...): every source at any depth under the folders that takes part in the program. With
+# source_hash.cmake they make the hash that shows whether stored results are still valid.
 function(hashed_sources out)
   set(all "")
   if(NOT CMAKE_SCRIPT_MODE_FILE)
@@ -12,7 +12,7 @@ function(hashed_sources out)
   list(FILTER all EXCLUDE REGEX "_(test|bench|fuzz)\\.cpp$|/test_[a-z_]*\\.(h|cpp)$")
   set(${out} ${all} PARENT_SCOPE)
 endfunction()
-# What can decide an image; what can decide a verdict on it.
+# image_sources can affect an image; judging_sources can affect a verdict on it.
 function(image_sources out root)
   hashed_sources(found ${root}/scenes ${root}/renderer ${root}/reference)
   set(${out} ${found} PARENT_SCOPE)

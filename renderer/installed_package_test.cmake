@@ -1,4 +1,4 @@
-# cmake -DBUILD=build -DSOURCE=example -DWORK=folder -DSCENE=scene.xml -DCXX=compiler -P installed_package_test.cmake
+# Usage: `cmake -DBUILD=build -DSOURCE=example -DWORK=folder -DSCENE=scene.xml -DCXX=compiler -P <this file>`.
 # Installs the package into a folder of its own, builds the example against it, away from this tree, and runs it.
 file(REMOVE_RECURSE ${WORK})
 function(run)

@@ -1,5 +1,5 @@
-# Fails where a source can change and the hash of the sources does not: a file of every folder is changed in turn, in a
-# copy of them all. A test's change must leave it.
+# Fails where a source can change without changing the hash of the sources: it changes a file of every folder in turn,
+# in a copy of them all. A change of a test must leave the hash unchanged.
 #   cmake -DROOT=<repository> -DWORK=<folder that may be emptied> -P source_hash_test.cmake
 cmake_policy(VERSION 3.25)
 get_filename_component(here ${CMAKE_CURRENT_LIST_FILE} DIRECTORY)

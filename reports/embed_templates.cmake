@@ -1,7 +1,7 @@
 # cmake -DOUT=templates.cpp -DHEADER=reports/page/templates.h -DSPACE=templates -DFILES="a.mustache;b.css"
 #       -DSCRIPTS="a.js;b.js" -P embed_templates.cmake
-# Writes each file as a string_view of the namespace named like it without its extension, all scripts as one function
-# `script`, and its SHA-256 in hexadecimal, by which the page allows that script and no other.
+# Writes each file as a string_view of the namespace, named after the file without its extension. All scripts become one
+# function `script`. The page allows only that script, by its SHA-256 in hexadecimal.
 set(text "#include \"${HEADER}\"\n\nnamespace photonproof::reports::${SPACE} {\n\n")
 foreach(file IN LISTS FILES)
   get_filename_component(name "${file}" NAME_WE)

@@ -1,5 +1,5 @@
-# embed_text(variable file): generates <variable>.h in this build folder, which defines the file's text as the constant
-# `variable`, so that an installed program needs no file beside it. Editing the file configures again.
+# embed_text(variable file): generates <variable>.h in this build folder with the file's text as the constant
+# `variable`, so that an installed program needs no data file. Editing the file starts a new configuration.
 function(embed_text variable file)
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${file})
   file(READ ${file} text)

@@ -29,7 +29,7 @@ namespace fs = std::filesystem;
 constexpr std::size_t max_program_bytes = std::size_t{1} << 30;
 constexpr double longest_warm_up = 20;
 
-// What a round came to: its numbers, or why there are none ("" when it was interrupted).
+// The numbers of a round, or the reason why there are none ("" when it was interrupted).
 using Round = std::variant<PairedRound, std::string>;
 
 std::string difference_text(double ratio) { return percent_text(std::abs(ratio - 1)); }
@@ -79,13 +79,13 @@ ChangeRecord record_of(const Cell& cell, const char* quantity, const RatioVerdic
   return record;
 }
 
-// Runs old, new and old again on one cell, all at once on one processor.
+// Runs the old program, the new one and the old one again on one cell, all at once on one processor.
 class PairRunner {
  public:
   PairRunner(const AgainstRun& run, fs::path old_program)
       : run_(run), programs_{old_program, run.program, old_program}, processors_(allowed_processors()) {}
 
-  // Programs come from disk the first time.
+  // Starts both programs once, so that later starts do not read them from disk.
   void warm_up(const Engine& engine) const {
     ProcessOptions options;
     options.wall_limit_seconds = longest_warm_up;
@@ -141,7 +141,7 @@ class PairRunner {
     constexpr std::array<const char*, 3> stems{"old", "new", "again"};
     EngineRun run = run_.run_of(cell, std::string(against_folder) + "/" + stems[which]);
     run.program = programs_[which];
-    // Three share one processor.
+    // Three programs share one processor.
     run.limits.seconds *= 3;
     return run;
   }
@@ -186,10 +186,10 @@ class Comparisons {
     changes_.push_back(std::move(record));
   }
 
-  // Another program's old version cannot be put in its place: only {photonproof} stands for one.
+  // The old version can replace only {photonproof}, no other program.
   bool is_ours(const std::string& engine) const { return run_.suite.engine(engine).command.front() == "{photonproof}"; }
 
-  // The largest budget of each kind, of every scene and engine that the old run knows too; with its least seed.
+  // For every scene and engine that the old run has too: the largest budget of each kind, with its least seed.
   std::vector<Cell> compared_cells() const {
     std::vector<Cell> cells;
     for (const Cell& cell : run_.suite.cells) {
@@ -209,7 +209,7 @@ class Comparisons {
     return cells;
   }
 
-  // Null when the scene has none; read once.
+  // Null when the scene has no reference; read once.
   const Image* reference_of(const std::string& scene_name) {
     if (const auto found = references_.find(scene_name); found != references_.end())
       return found->second ? &*found->second : nullptr;

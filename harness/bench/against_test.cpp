@@ -37,14 +37,14 @@ class Against : public FakeSuiteTest {
     options_.versions = {{program_key, with.string()}, {program_hash_key, program_hash(with)}};
     return run_bench(read_suite(folder_ / "suite.toml"), options_, nobody_);
   }
-  // The changes of a run by `with` against one by `old_program`, by quantity.
+  // Changes between a run by `old_program` and a run by `with`, by quantity.
   std::map<std::string, ChangeRecord> changes(const std::filesystem::path& old_program,
                                               const std::filesystem::path& with) {
     bench("old", old_program);
     options_.against = AgainstOptions{};
     options_.against->results = folder_ / "old" / "results.json";
     options_.against->old_program = old_program;
-    // What the shell's start adds to some 10 ms must not decide.
+    // The shell's start adds some 10 ms, which must not decide.
     options_.against->thresholds.seconds = 0.2;
     options_.against->seconds = 60;
     bench("new", with);
@@ -65,7 +65,7 @@ constexpr int work = 20'000;
 TEST_F(Against, twice_the_work_is_a_regression_of_time_and_not_of_error) {
   auto change = changes(program("old.sh", work, "brighter.exr"), program("new.sh", 2 * work, "brighter.exr"));
   EXPECT_EQ(change["seconds"].change, Change::regression) << change["seconds"].sentence;
-  // Less than 2 by what the shell needs to start.
+  // Less than 2, since the shell's start adds to both times.
   EXPECT_GT(change["seconds"].ratio.value, 1.3);
   EXPECT_LT(change["seconds"].ratio.value, 2.2);
   EXPECT_TRUE(change["seconds"].control);
@@ -98,8 +98,8 @@ TEST_F(Against, every_round_has_a_seed_of_its_own_that_all_three_share) {
   EXPECT_EQ(count(get("old.sh.seeds"), "5\n"), 2u);
 }
 
-// The record is a true one: its program is there, with the hash that it gives. Each run of that program adds a line to
-// old.sh.seeds, and there must be none after the record is written.
+// The record is genuine: its program exists and has the hash that the record gives. Each run of that program adds a
+// line to old.sh.seeds, so no line may be added after the record is written.
 TEST_F(Against, program_that_a_record_names_is_never_run) {
   bench("old", program("old.sh", work, "brighter.exr"));
   const std::string runs_before = get("old.sh.seeds");
@@ -124,7 +124,7 @@ TEST_F(Against, older_run_in_the_same_folder_is_read_before_it_is_replaced) {
   options_.against->old_program = old_program;
   options_.against->most_rounds = 1;
   bench("out", program("new.sh", work, "dark.exr"));
-  // Nothing was measured again (the key knows no version); the rounds are with the older run's program.
+  // Nothing was measured again, since the key has no version. The rounds use the older run's program.
   const Results results = read_results((folder_ / "out" / "results.json").string());
   ASSERT_EQ(results.changes.size(), 2u);
   EXPECT_NEAR(results.changes[1].ratio.value, 9, 1e-4);

@@ -37,12 +37,12 @@ bool is_failure(Status status) {
 // A results.json that takes longer to write is not written after every cell.
 constexpr double quick_save_seconds = 0.01;
 constexpr double tolerated_save_share = 0.005;
-// An engine measured this often can afford to have its first cell rendered once before, for at most so long.
+// An engine with this many cells renders its first cell once before, for at most so long.
 constexpr std::size_t least_cells_for_warm_up = 3;
 constexpr double warm_up_limit = 2;
 constexpr const char* warm_up_folder = "cells/warm-up";
 
-// Any number that is the suite's own.
+// A number that depends on the suite's name alone.
 std::uint64_t order_seed(const Suite& suite) {
   return std::stoull(content_key({{"order", suite.name}}).substr(0, 15), nullptr, 16);
 }
@@ -91,7 +91,7 @@ class Bench {
   }
 
  private:
-  // Engines may use every core where the suite does not say how many.
+  // Engines may use every core unless the suite gives a number of threads.
   Limits limits() const {
     Limits limits = suite_.limits;
     if (limits.threads <= 0) limits.threads = std::max(1, host_.cores);
@@ -118,7 +118,7 @@ class Bench {
     return options_.fresh || (options_.retry && is_failure(planned.found->kept.result.status));
   }
 
-  // References first: all others are compared with them.
+  // References come first, since all others are compared with them.
   std::vector<Cell> choose_cells() {
     if (std::none_of(plan_.cells.begin(), plan_.cells.end(), [&](const auto& p) { return is_selected(p.cell); })) {
       std::vector<std::string> near;
@@ -141,7 +141,7 @@ class Bench {
     return references;
   }
 
-  // Nothing is measured: the record stays as old as its measurements, with what was known of that session.
+  // Nothing is measured: the record keeps the date and the session's data of its measurements.
   void keep_session() {
     if (!fs::exists(results_file())) return;
     try {
@@ -150,7 +150,7 @@ class Bench {
       caveats_ = std::move(before.caveats);
       changes_ = std::move(before.changes);
     } catch (const InputError&) {
-      // Damaged or of another version; it is about to be replaced from the cells.
+      // The record is damaged or of another version; it is about to be replaced from the cells.
     }
   }
 
@@ -162,7 +162,7 @@ class Bench {
     write_file_atomically(name(), read_file(results_file()));
   }
 
-  // What a run that was killed left beside its cells.
+  // Removes what a killed run left beside its cells.
   void sweep() const {
     std::error_code ignored;
     for (const char* folder : {warm_up_folder, against_folder})
@@ -180,7 +180,7 @@ class Bench {
     result->calibration = calibration_->after_cell(planned.cell, result->wall_seconds.value_or(0));
     result->key = planned.key;
     planned.found = KeptImage{{std::move(*result), ""}, cell_folder};
-    // What could not be started may be there the next time.
+    // A program that could not be started may be there the next time.
     if (planned.found->kept.result.status != Status::not_started) keep(*planned.found);
     save_if_quick();
     ++summary_.measured;
@@ -188,10 +188,10 @@ class Bench {
     return true;
   }
 
-  // Folders that cannot be made, or that the engine took away, are a crash of the cell and no end of the run.
+  // A folder that cannot be made, or that the engine removed, is a crash of the cell and does not end the run.
   std::optional<Result> run_in_folder(const PlannedCell& planned, std::string& cell_folder) try {
     cell_folder = source_.claim(planned.key);
-    // What others are compared with may come from the scene's committed reference.
+    // An engine whose image is the reference may read the scene's committed reference.
     return run_engine(run_of(planned.cell, cell_folder, planned.is_reference ? nullptr : &copies_));
   } catch (const InputError& error) {
     Result result;
@@ -202,7 +202,8 @@ class Bench {
     return result;
   }
 
-  // In its folder; where that is gone, in results.json alone, and the next run measures it again.
+  // Writes the record to the cell's folder. If that is gone, it is in results.json alone and the next run measures it
+  // again.
   void keep(KeptImage& found) const try {
     if (!found.folder.empty()) source_.keep(found);
   } catch (const InputError& error) {
@@ -216,7 +217,7 @@ class Bench {
     return run;
   }
 
-  // What an engine does once and never again (reading its files from disk, waking the processors) is not measured.
+  // Takes an engine's one-time costs (reading its files from disk, waking the processors) out of the measurement.
   void warm_up(const std::vector<Cell>& to_run) {
     std::map<std::string, std::vector<const Cell*>> by_engine;
     for (const Cell& cell : to_run) by_engine[cell.engine].push_back(&cell);
@@ -241,8 +242,8 @@ class Bench {
   }
 
   struct ReferenceOfScene {
-    std::optional<Result> result;  // what it is compared with; empty where that is not there yet
-    std::string identity;          // another for other pixels
+    std::optional<Result> result;  // what it is compared with; empty while there is none yet
+    std::string identity;          // differs where the pixels differ
   };
 
   ReferenceOfScene reference_of(const SceneRecord& scene) const {
@@ -281,10 +282,10 @@ class Bench {
     return true;
   }
 
-  // Cells that were not compared yet, or whose reference, exposures or metrics are others now. Nothing is measured any
-  // more, so every core may help.
+  // Compares cells that were not compared yet, or whose reference, exposures or metrics changed. No engine is measured
+  // any more, so every core may help.
   void compare_found_cells() {
-    for (const bool references : {true, false})  // which the others read
+    for (const bool references : {true, false})  // the others read the references
       side_by_side(plan_.cells.size(), host_.cores, [&](std::size_t i) {
         PlannedCell& planned = plan_.cells[i];
         if (planned.is_reference == references && planned.found && compare(planned)) keep(*planned.found);
@@ -298,7 +299,7 @@ class Bench {
     findings_ = findings_of_bench(results, options_.results_folder);
     try {
       draw_conclusions(results, targets);
-    } catch (const InputError& error) {  // an image that went since it was compared
+    } catch (const InputError& error) {  // an image that was removed since it was compared
       caveats_.push_back("no conclusions were drawn: " + error.summary());
     }
     if (!measured || suite_.control.empty()) return;
@@ -319,7 +320,7 @@ class Bench {
 
   using References = std::map<std::string, StoredReference>;
 
-  // Those that the run rendered itself, as far as they are there.
+  // References that the run rendered itself, as far as they exist.
   References load_references() const {
     References references;
     for (const SceneRecord& scene : plan_.scenes) {
@@ -330,7 +331,7 @@ class Bench {
       try {
         reference.rendering = read_stored((options_.results_folder / result->image).string());
       } catch (const InputError&) {
-        continue;  // gone since: then nothing is known
+        continue;  // removed since: then nothing is known
       }
       reference.provenance.estimator = integrator_of(suite_.engine(result->cell.engine)).value_or("");
       references.emplace(scene.name, std::move(reference));
@@ -427,13 +428,13 @@ class Bench {
   Host host_;
   ImageSource source_;
   BenchPlan plan_;
-  std::optional<Calibration> calibration_;  // only where something is measured
+  std::optional<Calibration> calibration_;  // only if something is measured
   std::string created_;
   std::vector<Convergence> convergence_;
   std::vector<RaceRecord> races_;
   std::vector<ChangeRecord> changes_;
   std::vector<std::string> findings_;
-  std::vector<std::string> caveats_;  // of the session
+  std::vector<std::string> caveats_;  // warnings of the session
   double save_seconds_ = 0;
   Timer since_save_;
   BenchSummary summary_;

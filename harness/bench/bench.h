@@ -1,5 +1,5 @@
-// Runs a suite: every cell a process of its own, finished ones kept by content. While engines are measured nothing else
-// is done than to note what they cost; images are compared, and conclusions drawn, when the last of them has ended.
+// Runs a suite. Every cell is a process of its own, and finished cells are kept by content. While engines run, only
+// their costs are recorded; images are compared and conclusions drawn after the last engine has ended.
 #pragma once
 
 #include <atomic>
@@ -16,9 +16,9 @@ namespace photonproof::inline harness_bench {
 struct BenchOptions {
   std::filesystem::path results_folder;         ///< made when it is missing
   std::filesystem::path program;                ///< this program, for {photonproof}
-  std::string command;                          ///< how the run is repeated, for the record
+  std::string command;                          ///< repeats the run; for the record
   std::map<std::string, std::string> versions;  ///< of libraries, for the record
-  std::string comparison_version;               ///< changes whenever metrics or pictures might
+  std::string comparison_version;               ///< changes whenever metrics or pictures may change
   bool fresh = false;                           ///< measure finished cells again, beside their old results
   bool retry = false;                           ///< measure timed-out, crashed and bad-image cells again
   std::optional<AgainstOptions> against;        ///< an older run to compare with
@@ -26,7 +26,7 @@ struct BenchOptions {
   const std::atomic<bool>* interrupt = nullptr;
 };
 
-/// Hears of the cells as they run; `number` counts from 1 to `total`.
+/// Called as the cells run; `number` counts from 1 to `total`.
 class BenchObserver {
  public:
   virtual ~BenchObserver() = default;
@@ -38,18 +38,18 @@ class BenchObserver {
 struct BenchSummary {
   std::filesystem::path results_file;
   std::size_t measured = 0;  ///< cells that ran now
-  std::size_t kept = 0;      ///< whose result was there already
+  std::size_t kept = 0;      ///< whose result existed already
   std::size_t missing = 0;   ///< without a result: interrupted, or not among `only`
   std::map<Status, std::size_t> by_status;
   std::map<Change, std::size_t> by_change;  ///< against the older run
-  double seconds = 0;                       ///< of it all, but not of the comparison with an older run
-  double engine_seconds = 0;                ///< of that, while an engine ran
+  double seconds = 0;                       ///< of the whole run, without the comparison with an older run
+  double engine_seconds = 0;                ///< the part of them while an engine ran
   double harness_cpu_seconds = 0;           ///< processor time of this program itself
   bool interrupted = false;
 };
 
-/// Throws InputError when the suite's scenes or their expect.toml cannot be read, or another run holds the folder. What
-/// an engine does is a result, never an error.
+/// Throws InputError when the suite's scenes or their expect.toml cannot be read, or another run holds the folder. A
+/// failure of an engine is a result, never an error.
 BenchSummary run_bench(const Suite& suite, const BenchOptions& options, BenchObserver& observer);
 
 }  // namespace photonproof::inline harness_bench

@@ -26,7 +26,7 @@ bool may_be_the_same(const Result& a, const Result& b) {
                             [](const MetricValue& x, const MetricValue& y) { return x.value == y.value; });
 }
 
-// Groups of two seeds or more that gave the same image. Images have other metrics where they differ, so few are read.
+// Groups of two seeds or more with the same image. Different images have different metrics, so few files are read.
 std::vector<std::vector<const Result*>> groups_of_same(std::vector<const Result*> seeds,
                                                        const std::filesystem::path& folder) {
   std::vector<std::vector<const Result*>> groups;
@@ -66,7 +66,7 @@ bool is_reference_itself(const Result& result) {
 
 std::vector<std::string> findings_of_bench(const Results& results, const std::filesystem::path& folder) {
   std::vector<std::string> findings;
-  std::vector<std::vector<const Result*>> groups;  // by all but the seed
+  std::vector<std::vector<const Result*>> groups;  // grouped by everything except the seed
   for (const Result& result : results.results) {
     if (result.status != Status::ok || result.image.empty()) continue;
     if (is_reference_itself(result))

@@ -1,5 +1,4 @@
-// What only several results of a benchmark show together: seeds that give the same image, and images that are the
-// reference.
+// Findings that need several results of a benchmark: seeds that give the same image, and images that are the reference.
 #pragma once
 
 #include <filesystem>
@@ -14,8 +13,8 @@ namespace photonproof::inline harness_bench {
 ///   "cornell/mine/spp=16: all 5 seeds gave the same image; its noise is not known, and not zero for that"
 ///   "cornell/mine/spp=16: seeds 1, 4 gave the same image, which counts once; ..."
 ///   "cornell/mine/spp=16/seed=1: its image is the reference itself, bit for bit"
-/// Each but the second is right where a scene has no noise. Of every engine, scene and budget those images are read
-/// whose metrics are equal; those that cannot be read are left out. `folder` is that of results.json.
+/// The first and third are normal where a scene has no noise. Images are read only where their metrics are equal.
+/// Images that cannot be read are left out. `folder` is that of results.json.
 std::vector<std::string> findings_of_bench(const Results& results, const std::filesystem::path& folder);
 
 }  // namespace photonproof::inline harness_bench

@@ -31,7 +31,7 @@ SceneRecord describe_scene(const SuiteScene& scene, const std::optional<Expect>&
   return record;
 }
 
-// A scene of somebody's own may do without, where the suite says its exposure.
+// A user's scene needs no expectations where the suite gives its exposure.
 std::optional<Expect> read_expectations(const SuiteScene& scene) {
   const std::string path = expect_path_of(scene.path.string());
   if (scene.exposure && !fs::exists(path)) return std::nullopt;
@@ -80,7 +80,7 @@ BenchPlan plan_bench(const Suite& suite, const fs::path& program, const ImageSou
   for (PlannedCell& planned : plan.cells) {
     const Cell& cell = planned.cell;
     planned.key = source.key(plan.drawn_by[cell.engine], plan.drawn[cell.scene], cell.budget, cell.seed);
-    // The same work, to be measured a second time.
+    // The control is the same work, measured a second time.
     const bool is_control = !suite.control.empty() && cell.engine == control_name(suite.control);
     if (is_control) planned.key = content_key({{"control", planned.key}});
     planned.unsupported = versions[cell.engine].problem;

@@ -67,14 +67,14 @@ TEST_F(BenchRun, reference_runs_first_and_the_others_are_compared_with_it) {
   EXPECT_EQ(record.scenes[0].purpose, "to be measured");
   EXPECT_EQ(record.scenes[0].exposure, 0.5);
   EXPECT_EQ(record.scenes[0].reference_label, "scene/grey/spp=1000/seed=0");
-  ASSERT_EQ(record.engines.size(), 2u);  // those in use only
+  ASSERT_EQ(record.engines.size(), 2u);  // only those in use
   EXPECT_EQ(record.engines[0].version, "fake 1");
   EXPECT_EQ(record.engines[0].trust, "external");
 
   const Result reference = result_of("grey"), other = result_of("brighter");
   EXPECT_TRUE(reference.metrics.empty());
   EXPECT_EQ(reference.pictures.size(), 1u);
-  // Everywhere 0.6 against 0.5: mse (0.1)^2.
+  // All values are 0.6, the reference's 0.5: mse is (0.1)^2.
   EXPECT_NEAR(metric(other, "mse"), 0.01, 1e-6);
   for (const char* role : {"image", "flip", "error"}) EXPECT_TRUE(has("out/" + other.pictures.at(role))) << role;
   EXPECT_TRUE(has("out/" + other.image));
@@ -111,12 +111,12 @@ TEST_F(BenchRun, every_failure_is_a_result_and_the_run_goes_on) {
 }
 
 // Three cells of 0.6 against a reference of 0.5 are one curve point: relmse = 0.01 / 0.26. The three images are equal,
-// so that they count once, and one image tells nothing of bias and variance.
+// so they count once. One image gives neither bias nor variance.
 TEST_F(BenchRun, conclusions_are_in_the_record_and_the_control_is_measured_apart) {
   const std::string text = suite_text("grey", {}) +
                            "[[run]]\nengine = 'brighter'\nbudgets = ['spp=1']\nseeds = [1, 2, 3]\n"
                            "[bench]\ncontrol = 'brighter'\n";
-  // The reference, and three cells twice, with a warm-up before each three.
+  // One reference and three cells twice, with a warm-up before each three.
   EXPECT_EQ(run(text).measured, 7u);
   EXPECT_EQ(started().size(), std::string("grey\n").size() + 8 * std::string("brighter\n").size());
   const Results record = results();
@@ -131,7 +131,7 @@ TEST_F(BenchRun, conclusions_are_in_the_record_and_the_control_is_measured_apart
   EXPECT_EQ(point.undefined.at("bias2"), "one image for all seeds");
   EXPECT_EQ(record.caveats.back(), "control: 3 pairs of 'brighter' with itself are too few for an interval");
   EXPECT_FALSE(has("out/cells/warm-up"));
-  // Nothing is measured again, and nothing of the session forgotten.
+  // No cell is measured again, and the session's data are kept.
   const std::string before = get("out/results.json");
   EXPECT_EQ(run(text).measured, 0u);
   EXPECT_EQ(get("out/results.json"), before);
@@ -179,7 +179,7 @@ TEST_F(BenchRun, changed_scene_version_or_limit_is_measured_again) {
   put("version", "fake 2\n");
   EXPECT_EQ(run(text).measured, 1u);
   put("version", "fake 1\n");
-  EXPECT_EQ(run(text).measured, 0u);  // the old one is still there
+  EXPECT_EQ(run(text).measured, 0u);  // the old result still exists
 }
 
 TEST_F(BenchRun, changed_exposure_compares_again_without_measuring) {
@@ -277,7 +277,7 @@ TEST_F(BenchRun, engines_are_given_scenes_without_answers_and_results_name_the_s
   std::string text = suite_text("grey", {}) + rows + "[[run]]\nengine = 'judged'\nbudgets = ['spp=1']\nseeds = [1]\n";
   text.replace(text.find("engine = 'grey'"), 15, "engine = 'judge'");
   run(text);
-  EXPECT_NE(get("seen-judge").find("reference-32x24.exr"), std::string::npos);  // it gives the answer
+  EXPECT_NE(get("seen-judge").find("reference-32x24.exr"), std::string::npos);  // the command prints the answer
   EXPECT_EQ(get("seen-judged").find("reference-"), std::string::npos);
   EXPECT_NE(get("seen-judged").find("scene.xml"), std::string::npos);
   EXPECT_NE(result_of("judged").command.find((folder_ / "scene.xml").string()), std::string::npos)
@@ -315,7 +315,7 @@ TEST_F(BenchRun, image_that_two_of_three_seeds_gave_is_named) {
 
 TEST_F(BenchRun, interrupt_keeps_what_is_finished_and_the_next_run_goes_on) {
   const std::string text = suite_text("grey", {"brighter", "sleeps"});
-  // The order of the two is drawn from the suite's name: after the first of them.
+  // The suite's name determines the order of the two; the interrupt comes after the first of them.
   observer_.after_each = [this] { interrupt_ = observer_.seen.find("2/3") != std::string::npos; };
   const BenchSummary summary = run(text);
   EXPECT_TRUE(summary.interrupted);
@@ -350,7 +350,7 @@ TEST_F(BenchRun, broken_scene_is_an_input_error_before_anything_runs) {
 TEST_F(BenchRun, image_replaced_or_cut_short_is_measured_again) {
   const std::string text = suite_text("grey", {"brighter"});
   run(text);
-  // Of the same size as what was measured.
+  // The file has the size of the measured image.
   std::filesystem::copy_file(folder_ / "grey.exr", folder_ / "out" / result_of("brighter").image,
                              std::filesystem::copy_options::overwrite_existing);
   forget_log();
@@ -402,7 +402,7 @@ TEST_F(BenchRun, cells_folder_that_cannot_be_made_is_a_crash_of_each_cell) {
   EXPECT_TRUE(result_of("grey").detail.starts_with("its folder cannot be used: ")) << result_of("grey").detail;
 }
 
-// A program that is not there, one that hangs and one that fails are told apart, and none is a pass.
+// The messages distinguish a program that is missing, one that hangs and one that fails; each of them is a failure.
 TEST_F(BenchRun, version_that_hangs_or_fails_is_no_pass) {
   const auto engine = [](const std::string& name, const std::string& version) {
     return "[[engine]]\nname = '" + name +

@@ -9,7 +9,7 @@ namespace {
 
 constexpr const char* not_compared = "not compared: ";
 
-// Why there is nothing to compare with; empty when there is.
+// The reason why there is no reference to compare with; empty when there is one.
 std::string reference_problem(const Result* reference) {
   if (reference == nullptr) return "the reference has not been rendered yet";
   if (reference->status == Status::ok) return {};

@@ -13,7 +13,7 @@
 namespace photonproof::inline harness_bench {
 namespace {
 
-/// "+0.8 % overall", the worst channel's.
+/// "+0.8 % overall", for the worst channel.
 std::string overall(double relative) { return fmt::format("{:+.2g} % overall", 100 * relative); }
 
 CorrectnessRecord unknown(std::string why) {

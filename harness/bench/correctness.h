@@ -1,6 +1,5 @@
-// Whether the images of a benchmark's budget show what they should: right, noisy, biased or unknown. The test is the
-// gates' `agreement` (gate_statistics.h) on the images of the budget's seeds, one look. That a cell finished says
-// nothing of this.
+// Verdict on the images of one budget of a benchmark: right, noisy, biased or unknown. The test is the gates'
+// `agreement` (gate_statistics.h) with one look at the images of all seeds. A finished cell alone proves nothing.
 #pragma once
 
 #include <functional>
@@ -15,20 +14,20 @@
 
 namespace photonproof::inline harness_bench {
 
-/// `right` means that an error of the whole image, or of a block of 8 x 8 pixels, as large as this would have been seen
-/// with probability 0.99; the bounds of the gates that come with this program.
+/// `right` means that the test finds an error of this size in the whole image, or in a block of 8 x 8 pixels, with
+/// probability 0.99. The sizes are the bounds of the gates that come with this program.
 inline constexpr double right_within = 0.02, right_within_in_a_block = 0.2;
-/// Of calling a right image biased.
+/// Probability that a right image is called biased.
 inline constexpr double correctness_alpha = 0.001;
 
-/// Why a reference by this engine convicts nobody: "the reference is by photonmapper, which is biased". Empty for an
-/// unbiased one.
+/// The reason why no verdict is based on a reference by this engine: "the reference is by photonmapper, which is
+/// biased". Empty for an unbiased engine.
 std::string doubt_of(const Engine& engine);
 
-/// What a budget's images are judged by.
+/// The reference and the expectations that a budget's images are compared with.
 struct Judge {
   const StoredReference* reference =
-      nullptr;        ///< null: there is none. Its variance may be missing, then nothing is said
+      nullptr;        ///< null: there is none. It may lack a variance, and then the verdict is unknown
   std::string doubt;  ///< as SceneRecord::reference_doubt
   const std::optional<Expect>* expect = nullptr;  ///< of the scene, for independence.h
 };
@@ -37,8 +36,8 @@ struct Judge {
 CorrectnessRecord judge_correctness(const Judge& judge, const Engine& engine, const Budget& budget,
                                     std::span<const Image> images);
 
-/// Of one unbiased engine on one scene: what a budget's images lack although a larger budget's images do not is rare
-/// bright samples that it has not met, so its verdict becomes noisy. `points` ascend.
+/// For one unbiased engine on one scene: light that a budget's images lack and a larger budget's images have comes from
+/// rare bright samples that the smaller budget missed. So its verdict becomes noisy. `points` ascend.
 void reconcile(std::span<CurvePoint> points);
 
 }  // namespace photonproof::inline harness_bench

@@ -9,7 +9,7 @@ namespace {
 
 constexpr int side = 32;
 
-/// A grey reference of a thousandth of relative noise a pixel, by `estimator` in 64 batches.
+/// A grey reference by `estimator` in 64 batches, with a relative noise of 0.001 a pixel.
 StoredReference reference_by(const std::string& estimator) {
   StoredReference reference;
   reference.rendering.mean = Image(side, side);
@@ -22,7 +22,7 @@ StoredReference reference_by(const std::string& estimator) {
   return reference;
 }
 
-/// Images whose pixels are independent and normal about 0.5 (1 + off).
+/// Images of independent normal pixels with mean 0.5 (1 + off).
 std::vector<Image> images(int count, double noise, double off = 0) {
   std::mt19937_64 random(7);
   std::normal_distribution<double> normal(0, noise);
@@ -45,7 +45,8 @@ CorrectnessRecord judge(const StoredReference& reference, const std::vector<Imag
   return judge_correctness({&reference, "", nullptr}, engine(integrator), {"spp", 64}, all);
 }
 
-// 3 072 values a look, a mean known to 2 % / 32 over four images: an error of 1.5 % of the whole is far beyond noise.
+// One look has 3 072 values. Their mean over four images is known to 2 % / 32, so an error of 1.5 % of the whole is far
+// beyond noise.
 TEST(Correctness, is_right_where_a_small_error_would_have_been_seen) {
   const CorrectnessRecord record = judge(reference_by("bdpt"), images(4, 0.02));
   EXPECT_EQ(record.verdict, Correctness::right) << record.sentence;
@@ -122,15 +123,15 @@ TEST(Correctness, of_images_that_no_seed_changes_says_so) {
   EXPECT_TRUE(record.sentence.starts_with("all seeds gave the same image; ")) << record.sentence;
 }
 
-// Where one sample in 2^20 is 1e4 times as bright as the others and brings 1 % of the light, 4 x 64 samples of 1,024
-// pixels meet it in every fourth image. Without it they are 1 % too dark, and look certain.
+// One sample in 2^20 is 1e4 times as bright as the others and brings 1 % of the light. Then 4 x 64 samples of 1,024
+// pixels contain it in every fourth image. Images without it are 1 % too dark and look certain.
 TEST(Correctness, of_images_that_missed_rare_bright_samples_is_noisy_where_others_met_one) {
   std::vector<Image> all = images(4, 0.001, -0.01);
   EXPECT_EQ(judge(reference_by("bdpt"), all).verdict, Correctness::biased) << "nothing shows that there are any";
   for (int c = 0; c < 3; ++c) all[2].pixel(5, 9)[c] += 5e3f / 64;
   const CorrectnessRecord record = judge(reference_by("bdpt"), all);
   EXPECT_EQ(record.verdict, Correctness::noisy) << record.sentence;
-  // A whole fifth is more than a few such samples would have brought.
+  // A deficit of a fifth is more than a few such samples would have brought.
   all = images(4, 0.001, -0.2);
   for (int c = 0; c < 3; ++c) all[2].pixel(5, 9)[c] += 500.f / 64;
   EXPECT_EQ(judge(reference_by("bdpt"), all).verdict, Correctness::biased);

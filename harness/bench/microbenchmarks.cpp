@@ -15,7 +15,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// What ours is measured against, each peer in all the ways it was timed: the quickest of them counts.
+/// A library that ours is compared with, in all the ways it was timed; its quickest way counts.
 struct Peer {
   const char* title;
   std::array<const char*, 2> rows;
@@ -36,10 +36,10 @@ struct Median {
   std::int64_t family;
   double cpu_time, nanoseconds;
   std::string unit;
-  double items_per_second;  ///< 0 where none are counted
+  double items_per_second;  ///< 0 where no items are counted
 };
 
-/// The repetitions' median where there were several, else the one run.
+/// The repetitions' median if there were several, else the one run.
 std::vector<Median> medians(const Json& merged) {
   std::vector<Median> found;
   for (const Json& run : merged.at("benchmarks")) {
@@ -64,7 +64,7 @@ std::string named_after(const std::string& peer, const std::string& name) {
   return second == std::string::npos ? "" : name.substr(0, first + 1) + peer + name.substr(second);
 }
 
-/// How many times as fast: by items where both count them, else by the time of one iteration.
+/// Ratio of speeds: by items where both count them, else by the time of one iteration.
 double speed_ratio(const Median& ours, const Median& other) {
   if (ours.items_per_second > 0 && other.items_per_second > 0) return ours.items_per_second / other.items_per_second;
   return other.nanoseconds / ours.nanoseconds;
@@ -74,7 +74,7 @@ bool is_row_of(const Peer& peer, const std::string& name) {
   return std::ranges::any_of(peer.rows, [&](const char* row) { return named_after(row, name) == name; });
 }
 
-/// " N x PEER", against the quickest of its rows; empty where there is none, and for a row of the peer's own.
+/// " N x PEER", against the quickest of the peer's rows. Empty if there is none, and for a row of the peer's own.
 std::string against(const Peer& peer, const Median& ours, const std::vector<Median>& all) {
   if (is_row_of(peer, ours.name)) return "";
   double least = 0;
@@ -123,7 +123,7 @@ std::string microbenchmark_table(const std::string& merged) {
   for (const Median& m : all) {
     table += fmt::format("{:<{}} {:>10.4g} {:<2}", m.name, widest, m.cpu_time, m.unit);
     table += m.items_per_second > 0 ? fmt::format(" {:>9.4g} M/s", m.items_per_second / 1e6) : std::string(14, ' ');
-    // The CPU time of the calling thread says nothing where several share the work.
+    // The calling thread's CPU time means nothing when several threads share the work.
     if (m.name.find("threads") == std::string::npos)
       for (const Peer& peer : peers) table += against(peer, m, all);
     while (table.back() == ' ') table.pop_back();

@@ -1,4 +1,4 @@
-// Results of several Google Benchmark programs as one: its JSON merged, and a table of the medians.
+// Merges the JSON of several Google Benchmark programs and prints a table of the medians.
 #pragma once
 
 #include <string>
@@ -11,15 +11,15 @@ struct MicrobenchmarkFile {
   std::string text;  ///< as --benchmark_out writes it; empty when the filter matched nothing in that program
 };
 
-/// One document of the same format: the first program's context, whose `executable` names all of them, and every
-/// benchmark, its family_index made unique. Throws InputError for a file that is not such a document, and when no file
-/// has a benchmark.
+/// Merges the documents into one of the same format, with a unique family_index for every benchmark. The context is
+/// that of the first program, and its `executable` names all of them. Throws InputError for a file that is not such a
+/// document, and when no file has a benchmark.
 std::string merge_microbenchmarks(const std::vector<MicrobenchmarkFile>& files);
 
-/// A line for each benchmark of a merged document, in the order of their definitions: the median of its repetitions'
-/// CPU time and, where it counts items, how many a second. A benchmark called
-/// TASK/nanoflann/ARGUMENTS (or nanoflann_sorted, embree_alone, embree_packets) is a peer: others of its task and
-/// arguments say how many times as fast as its quickest way they are.
+/// One line for each benchmark of a merged document, in the order of their definitions. It has the median CPU time of
+/// the repetitions and, if items are counted, how many a second. A benchmark called TASK/nanoflann/ARGUMENTS (or
+/// nanoflann_sorted, embree_alone, embree_packets) is a peer. Others of its task and arguments show how many times as
+/// fast as the peer's quickest way they are.
 std::string microbenchmark_table(const std::string& merged);
 
 }  // namespace photonproof::inline harness_bench

@@ -35,7 +35,7 @@ std::string error_of(const std::vector<MicrobenchmarkFile>& files) {
 }
 
 TEST(microbenchmarks, table_has_medians_and_how_many_times_as_fast_as_the_peer) {
-  // 2 ms of nanoflann are 8 times 250 us. What runs on all threads is not compared by one thread's time.
+  // 2 ms of nanoflann are 8 times 250 us. A benchmark on all threads is not compared by one thread's time.
   EXPECT_EQ(microbenchmark_table(merge_microbenchmarks({photons, empty, film})),
             "look_up/ours/10                    250 us         4 M/s    8.00 x nanoflann\n"
             "look_up/nanoflann/10                 2 ms\n"
@@ -44,7 +44,7 @@ TEST(microbenchmarks, table_has_medians_and_how_many_times_as_fast_as_the_peer) 
 }
 
 TEST(microbenchmarks, a_peer_is_taken_at_its_best) {
-  // Sorted, nanoflann takes .5 ms instead of 2: ours is 2 times as fast, not 8. Its own rows are compared with nothing.
+  // Sorted, nanoflann takes 0.5 ms instead of 2, so ours is 2 times as fast, not 8. Its own rows are not compared.
   MicrobenchmarkFile both = photons;
   both.text.insert(both.text.rfind(']'), R"(,
     {"name": "look_up/nanoflann_sorted/10_median", "family_index": 3, "run_name": "look_up/nanoflann_sorted/10",

@@ -1,5 +1,5 @@
-// The path tracer on three scenes with stored references by bdpt: right images by every number of seeds from 2 to 8, as
-// gates and as bench judge them. PHOTONPROOF_NULL_IMAGES=400 draws more than ctest does; the table goes to
+// The path tracer on three scenes with stored references by bdpt. Right images of 2 to 8 seeds are judged as by the
+// gates and as by bench. PHOTONPROOF_NULL_IMAGES=400 renders more images than ctest does; the table goes to
 // reports/published/null.md.
 #include <gtest/gtest.h>
 
@@ -70,7 +70,7 @@ struct NullCount {
   int runs = 0, failed = 0, passed = 0, biased = 0;
 };
 
-/// Verdicts on disjoint groups of so many images.
+/// Verdicts on disjoint groups of `seeds` images.
 NullCount judged(const GateSuite& suite, const StoredReference& reference, std::span<const Image> images,
                  std::size_t seeds) {
   NullCount count;

@@ -1,5 +1,5 @@
-// slow_down FRACTION PROGRAM [ARGUMENT...]: runs the program and then computes for FRACTION of the processor time that
-// it took, so that it seems slower by just that. A planted regression of known size (power_of_against.sh).
+// slow_down FRACTION PROGRAM [ARGUMENT...]: runs the program and then computes for FRACTION of its processor time, so
+// that it seems slower by exactly that. A planted regression of known size (power_of_against.sh).
 
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -41,7 +41,7 @@ int main(int argc, char** argv) {
   int status = 0;
   rusage usage{};
   if (wait4(child, &status, 0, &usage) != child) return 2;
-  // Its own start counts as well: the whole becomes slower, not only the child.
+  // The program's own start counts too: the whole becomes slower, not only the child.
   const double own = own_seconds(), end = own + fraction * (own + seconds_of(usage));
   while (own_seconds() < end) {
   }

@@ -15,7 +15,7 @@
 namespace photonproof::inline harness_cells {
 namespace {
 
-// Another workload is another number: readings of both must not be compared.
+// Names the workload: readings of two different workloads are not comparable.
 constexpr const char* workload_name = "1 (" __VERSION__ ")";
 constexpr std::uint32_t levels = 15;
 constexpr std::uint32_t leaves = 1u << levels;
@@ -70,7 +70,7 @@ CalibrationWorkload::CalibrationWorkload() : boxes_(2 * leaves), spheres_(leaves
     }
 }
 
-// The closest sphere's number, `leaves` where there is none.
+// Index of the closest sphere; `leaves` if the ray hits none.
 std::uint32_t CalibrationWorkload::closest(const float (&from)[3], const float (&along)[3]) const {
   float inverse[3];
   for (int axis = 0; axis < 3; ++axis) inverse[axis] = 1 / along[axis];
@@ -88,7 +88,7 @@ std::uint32_t CalibrationWorkload::closest(const float (&from)[3], const float (
     }
     if (enter > leave) continue;
     if (i < leaves) {
-      // The half on the ray's side is on top; which axis level i splits repeats every three levels.
+      // The half on the ray's side is visited first. The axis that level i splits repeats every three levels.
       const int axis = (static_cast<int>(levels) - static_cast<int>(std::bit_width(i))) % 3;
       const std::uint32_t near = along[axis] > 0 ? 0 : 1;
       stack[depth++] = 2 * i + 1 - near;
@@ -147,7 +147,7 @@ double Calibration::read(std::size_t runs) const {
     std::vector<double> times(runs);
     for (double& time : times) {
       const double before = thread_seconds();
-      // Volatile: the sum has to be worked out although nobody wants it.
+      // `volatile` forces the compiler to compute the unused sum.
       [[maybe_unused]] volatile const std::uint64_t sum = workload_.run();
       time = thread_seconds() - before;
     }

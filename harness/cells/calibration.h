@@ -1,13 +1,13 @@
-// A fixed piece of work whose time tells how fast this machine is at the moment. Sessions are told apart by it: a time
-// divided by that of the calibration beside it is about the same on a machine that slowed down (stored_changes.h).
+// Calibration: a fixed piece of work whose time shows how fast this machine is at the moment. Times of two sessions are
+// compared relative to it: the ratio stays about the same on a machine that slowed down (stored_changes.h).
 //
-// The work is that of a ray tracer, so that it suffers from what engines suffer from: rays through a hierarchy of boxes
-// around 2^15 spheres, closest hit, as much comparing as computing, in 2.5 MB that no inner cache holds; as many
-// threads as the engines have. It takes about 10 ms.
+// The work resembles a ray tracer's, so that the same disturbances slow both. It finds the closest hits of rays in a
+// hierarchy of boxes around 2^15 spheres, with as many threads as the engines have. It compares as much as it computes,
+// in 2.5 MB that no inner cache holds. It takes about 10 ms.
 //
-// Cells that together take less than a quarter of a second share a reading: machines keep their speed for so long.
-// Cells that differ in nothing but the seed never do, since stored_changes.h takes the readings' noise from what their
-// ratios scatter.
+// Cells that together take less than a quarter of a second share a reading, since machines keep their speed that long.
+// Cells that differ only in the seed never share one: stored_changes.h takes the readings' noise from the scatter of
+// their ratios.
 #pragma once
 
 #include <cstddef>
@@ -23,7 +23,7 @@ namespace photonproof::inline harness_cells {
 class CalibrationWorkload {
  public:
   CalibrationWorkload();
-  /// The sum of what all rays hit, which is the same on every machine.
+  /// Sum of the indices that all rays hit; it is the same on every machine.
   std::uint64_t run() const;
 
  private:
@@ -38,30 +38,30 @@ class CalibrationWorkload {
   std::vector<Sphere> spheres_;
 };
 
-/// How often a reading repeats the workload after a cell of `engine_seconds`: as often as 0.5 % of that pays for, at
-/// least once, 20 times at most.
+/// How often a reading repeats the workload after a cell of `engine_seconds`: as often as fits into 0.5 % of that time,
+/// at least once and at most 20 times.
 std::size_t calibration_runs(double engine_seconds, double run_seconds);
 
-/// Which cells end with a reading of their own; the others share the one before them.
+/// Decides which cells end with a reading of their own; the others share the one before them.
 class ReadingSchedule {
  public:
   /// Engine seconds since the last reading.
   static constexpr double longest_shared = 0.25;
 
-  /// To be called when a cell has ended, which took `engine_seconds`.
+  /// To be called when a cell has ended that took `engine_seconds`.
   bool is_due(const Cell& cell, double engine_seconds);
 
  private:
   double since_reading_ = 0;
-  std::set<std::string> sharing_;  // what the cells since then have in common with others: all but the seed
+  std::set<std::string> sharing_;  // labels, without the seed, of the cells since then
 };
 
-/// A session's readings: one before its first cell and one after each that the schedule names. A cell's is the mean of
-/// the one before it and the one after it, or the one before it alone where it shares that.
+/// Readings of a session: one before its first cell and one after each cell that the schedule names. A cell's value is
+/// the mean of the readings before and after it, or the one before it if the cell shares that.
 class Calibration {
  public:
   explicit Calibration(int threads);
-  /// To be called when a cell has ended, which took `engine_seconds`.
+  /// To be called when a cell has ended that took `engine_seconds`.
   CalibrationReading after_cell(const Cell& cell, double engine_seconds);
 
  private:

@@ -5,11 +5,11 @@
 namespace photonproof::inline harness_cells {
 namespace {
 
-// What testing each of the 8000 rays against each of the 2^15 spheres gives, without boxes; in floats of IEEE 754,
-// which no machine or build rounds otherwise.
+// The sum that a test of each of the 8000 rays against each of the 2^15 spheres gives, without boxes. IEEE 754 floats
+// round the same on every machine and in every build.
 TEST(Calibration, workload_is_the_same_work_everywhere) { EXPECT_EQ(CalibrationWorkload().run(), 167699262u); }
 
-// A reading is one run of 10 ms at least; 10 s of the engine pay for 50 ms, 1000 s for more than anybody needs.
+// A reading is at least one run of 10 ms. An engine's 10 s pay for 50 ms; 1000 s would pay for more than the limit.
 TEST(Calibration, costs_half_a_percent_of_the_engine_or_one_run) {
   EXPECT_EQ(calibration_runs(0, 0.01), 1u);
   EXPECT_EQ(calibration_runs(1, 0.01), 1u);
@@ -44,7 +44,7 @@ TEST(Calibration, cells_that_share_a_reading_have_the_same_one) {
   EXPECT_EQ(after("c", 0.01), first);
 }
 
-// A reading that two of them shared would not show in what their ratios scatter.
+// Noise of a reading that two seeds share would not show in the scatter of their ratios.
 TEST(Calibration, seeds_of_one_kind_of_cell_share_no_reading) {
   ReadingSchedule schedule;
   EXPECT_FALSE(schedule.is_due({"a", "path", {"spp", 1}, 1}, 0));

@@ -35,7 +35,7 @@ std::vector<Cell> interleaved_by_engine(const std::vector<Cell>& cells, std::uin
     if (queue == queues.end()) queue = queues.insert(queues.end(), {cell.engine, {}});
     queue->second.push_back(cell);
   }
-  // A draw for each cell that is the same for every engine.
+  // A hash of the cell's place that is the same for every engine.
   const auto place = [seed](const Cell& cell) {
     Cell anyones = cell;
     anyones.engine.clear();

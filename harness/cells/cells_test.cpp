@@ -31,7 +31,7 @@ TEST(Cells, every_other_round_reverses_the_one_before) {
     EXPECT_EQ(std::set<char>(there.begin(), there.end()).size(), 3u);
     rounds.insert(there);
   }
-  EXPECT_GT(rounds.size(), 1u);  // drawn anew: four equal draws of six have probability 1/216, and seed 1 is fixed
+  EXPECT_GT(rounds.size(), 1u);  // shuffled anew: four equal orders of six have probability 1/216, and seed 1 is fixed
 }
 
 TEST(Cells, engines_of_a_round_do_the_same_work_in_shuffled_order) {

@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 
 std::string reason() { return std::generic_category().message(errno); }
 
-// The number of the process that holds or held the lock; 0 where it does not say, nothing where it says other things.
+// The process id in the lock file: 0 if the file is empty, nothing if it holds other text.
 std::optional<long> holder_of(int descriptor) {
   std::array<char, 32> text{};
   const ssize_t length = pread(descriptor, text.data(), text.size() - 1, 0);
@@ -31,8 +31,8 @@ std::optional<long> holder_of(int descriptor) {
   return process;
 }
 
-// What somebody put under the lock's name, a link to another file above all, must not be written to; a pipe would make
-// us wait.
+// A user may have put something else under the lock's name. A link to another file must not be written to, and a pipe
+// must not block.
 int open_lock(const fs::path& file) {
   const int descriptor = open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK, 0666);
   const bool is_link = descriptor < 0 && errno == ELOOP;
@@ -54,7 +54,7 @@ FolderLock::FolderLock(const fs::path& folder, const std::string& remedy) {
   fs::create_directories(folder, error);
   if (error) throw InputError(folder.string(), "cannot be made: " + error.message());
   const fs::path file = folder / ".lock";
-  // Close-on-exec: an engine must not keep the lock when this process is gone.
+  // Close-on-exec: an engine must not keep the lock when this process has ended.
   descriptor_ = open_lock(file);
   if (flock(descriptor_, LOCK_EX | LOCK_NB) != 0) {
     const bool is_held = errno == EWOULDBLOCK;
@@ -67,8 +67,8 @@ FolderLock::FolderLock(const fs::path& folder, const std::string& remedy) {
     throw InputError((is_held ? folder : file).string(), why);
   }
   const std::string self = std::to_string(getpid()) + "\n";
-  // Only for the message above: a full disk is no reason to stop here.
-  [[maybe_unused]] const bool said =
+  // Used only in the message above, so a full disk is no reason to stop here.
+  [[maybe_unused]] const bool written =
       ftruncate(descriptor_, 0) == 0 && pwrite(descriptor_, self.data(), self.size(), 0) > 0;
 }
 

@@ -6,11 +6,11 @@
 
 namespace photonproof::inline harness_cells {
 
-/// Holds <folder>/.lock; the system lets go of it when the process ends, however it ends.
+/// Holds <folder>/.lock; the system releases it when the process ends, however it ends.
 class FolderLock {
  public:
-  /// Makes the folder when it is missing. Throws InputError when it cannot, when what lies under the lock's name is not
-  /// a lock, or when another process holds it, naming that process; `remedy` says what to do then.
+  /// Makes the folder when it is missing. Throws InputError when it cannot, or when the lock's name belongs to
+  /// something else. It also throws when another process holds the lock, names that process and adds `remedy`.
   explicit FolderLock(const std::filesystem::path& folder,
                       const std::string& remedy = "wait for it or choose another folder with -o");
   ~FolderLock();

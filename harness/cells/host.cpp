@@ -26,7 +26,7 @@ std::string value_in(const char* file, const std::string& key, char separator) {
   return "unknown";
 }
 
-// The cores this process may use, which a container or taskset can make fewer than the machine has.
+// The cores this process may use; a container or taskset can make them fewer than the machine has.
 int usable_cores() {
   cpu_set_t set;
   if (sched_getaffinity(0, sizeof set, &set) == 0) return CPU_COUNT(&set);

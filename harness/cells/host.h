@@ -1,4 +1,4 @@
-// The machine a measurement was made on, and how busy it was with other things meanwhile.
+// The machine of a measurement, and how busy it was with other work meanwhile.
 #pragma once
 
 #include <optional>
@@ -8,14 +8,14 @@
 
 namespace photonproof::inline harness_cells {
 
-/// From /proc/cpuinfo, os-release and uname; what cannot be found out is "unknown" or 0.
+/// Reads /proc/cpuinfo, os-release and uname; unknown values are "unknown" or 0.
 Host describe_host();
 
-/// Processor time that the whole machine has used since it started, in seconds over all cores, including what a
-/// hypervisor withheld. Empty where /proc/stat does not say. Counted in steps of 10 ms.
+/// Processor time of the whole machine since it started, in seconds over all cores, in steps of 10 ms. It includes time
+/// that a hypervisor withheld. Empty if /proc/stat lacks it.
 std::optional<double> machine_busy_seconds();
 
-/// Numbers of the processors that this process may run on, ascending; empty where the system does not say.
+/// Numbers of the processors that this process may run on, ascending; empty if the system does not report them.
 std::vector<int> allowed_processors();
 
 /// Processor time this process has used itself (children not counted), in seconds.

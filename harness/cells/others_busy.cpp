@@ -11,7 +11,7 @@ namespace {
 
 constexpr double least_seconds = 0.2;
 
-// Of this process and of all that it started and that have ended.
+// Processor time of this process and of all its ended children.
 double our_cpu_seconds() {
   rusage children{};
   getrusage(RUSAGE_CHILDREN, &children);

@@ -1,5 +1,5 @@
-// What others make of the machine meanwhile: measurements beside other work are worth less, and limits on time mean
-// less of the processor.
+// Other programs' use of the machine during a measurement: it makes measurements less reliable and leaves less
+// processor time within a limit on wall time.
 #pragma once
 
 #include <optional>
@@ -8,13 +8,13 @@
 
 namespace photonproof::inline harness_cells {
 
-/// From its construction on. Right while no process of ours that was started before still runs.
+/// Measures from its construction on. Correct only while no process of ours that started before is still running.
 class OthersBusy {
  public:
   OthersBusy();
 
-  /// Cores that others used on average; 0 where that is not known, or after less time than the system's clock of
-  /// processor time, of 10 ms ticks, needs to say something.
+  /// Cores that others used on average. It is 0 where that is not known, or when too little time has passed for the
+  /// system's clock of processor time, which ticks every 10 ms.
   double cores() const;
 
  private:
@@ -25,8 +25,8 @@ class OthersBusy {
 
 /// The factor by which a limit on wall time grows beside other work, so that a program gets the processor time that an
 /// idle machine would give it. It is 1 while others use less than a quarter of the machine, and 20 at most. A thread
-/// that is always ready to run gets at least what others leave of a core. A program that sleeps uses less, and gains in
-/// proportion to `own_cores`, the processor seconds it had a second.
+/// that is always ready to run gets at least the share of a core that others leave. A program that sleeps uses less and
+/// gains in proportion to `own_cores`, its processor seconds per second.
 double time_beside_others(double others_cores, double own_cores, int cores);
 
 /// The same factor for a program that ended just now, on this machine. It used `cpu_seconds` within `wall_seconds`.

@@ -52,7 +52,7 @@ bool clone_file(const fs::path& from, const fs::path& to) {
   return cloned;
 }
 
-/// `from` is no symbolic link. One that is gone since it was seen, as temporary files are, is left out.
+/// `from` is no symbolic link. A file that has disappeared since it was seen, as temporary files do, is left out.
 void give_file(const fs::path& from, const fs::path& to) {
   std::error_code error;
   if (fs::file_size(from, error) > small_file_bytes) {
@@ -89,13 +89,13 @@ class FolderCopy {
   bool holds_results(const fs::path& folder) const {
     std::error_code ignored;
     return fs::weakly_canonical(folder, ignored) == results_folder_ || fs::exists(folder / "results.json", ignored) ||
-           fs::exists(folder / ".lock", ignored);  // of a run that has none yet
+           fs::exists(folder / ".lock", ignored);  // another run's folder, still without results
   }
 
   void copy_link(const fs::path& link, const fs::path& to) const {
     std::error_code error;
     const fs::path target = fs::canonical(link, error);
-    if (error) return;  // leads nowhere
+    if (error) return;  // a broken link
     if (is_within(target, original_))
       fs::create_symlink(target.lexically_relative(fs::canonical(link.parent_path())), to);
     else if (fs::is_directory(target) && !is_within(original_, target))

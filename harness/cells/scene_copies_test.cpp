@@ -70,7 +70,7 @@ TEST_F(SceneCopiesOf, what_an_engine_writes_into_a_small_file_stays_in_the_copy_
   const fs::path copy = copies.of(scene_, scene_.path);
   { std::ofstream(copy) << "vandalism"; }
   EXPECT_EQ(get("cornell/scene.xml"), "the scene");
-  // A hard link; where the file system clones, blocks are shared, which stat does not say.
+  // A hard link. If the file system clones, blocks are shared, which stat does not show.
   struct stat original {
   }, given{};
   ASSERT_EQ(stat((folder_ / "cornell/large.ply").c_str(), &original), 0);

@@ -1,4 +1,4 @@
-// Pieces of work that wait for processes and files, a few at a time.
+// Runs jobs that wait for processes and files, a few at a time.
 #pragma once
 
 #include <atomic>

@@ -1,4 +1,4 @@
-// Programs that tests start and send signals to, as a user or a machine that fails would; test code only.
+// Starts programs and sends them signals, as a user or a failing machine does; test code only.
 #pragma once
 
 #include <sys/wait.h>
@@ -14,7 +14,7 @@
 
 namespace photonproof::inline harness_cells {
 
-/// Its standard output goes nowhere, its standard error to the file.
+/// Discards its standard output and writes its standard error to the file.
 inline pid_t start_program(std::vector<std::string> argv, const std::filesystem::path& standard_error) {
   const pid_t pid = fork();
   if (pid != 0) return pid;
@@ -28,8 +28,8 @@ inline pid_t start_program(std::vector<std::string> argv, const std::filesystem:
   _exit(127);
 }
 
-/// Waits until what `progress()` gives has changed `steps` times, lets the program go on for `seconds` and sends it the
-/// signal unless it has ended by then; the status of wait. Counting steps makes sure of progress on a busy machine.
+/// Waits until the value of `progress()` has changed `steps` times, then `seconds` more. Then sends the signal, unless
+/// the program has ended. Returns the status of wait. Counting steps ensures progress on a busy machine.
 template <class Progress>
 int signal_after(pid_t pid, int signal_number, int steps, double seconds, const Progress& progress) {
   int status = 0;

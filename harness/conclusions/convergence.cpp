@@ -16,20 +16,20 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// An error of which the reference's noise is more than this share is as much the reference's.
+// An error counts as the reference's too if the reference's noise is more than this share of it.
 constexpr double tolerated_reference_share = 0.1;
-// Of which it is more than this share, of nobody else's.
+// An error counts as the reference's alone if the reference's noise is more than this share of it.
 constexpr double foreign_reference_share = 0.5;
-// Relative deviations of 1e-5 are rounding (deviations.h): an error of their square is no error.
+// Relative deviations of 1e-5 are rounding (deviations.h), so a relmse of their square is no error.
 constexpr double rounding_relmse = 1e-10;
-// A slope that is not known to +-1 does not tell a method that converges from one that does not.
+// A slope known less well than to +-1 does not show whether a method converges.
 constexpr double useful_slope_margin = 1;
 constexpr std::size_t least_points_for_slope = 3;
 constexpr const char* no_own_error = "no budget has an error of its own";
-// An error that grows with the budget by more than this factor is not known.
+// An error is unknown if it grows with the budget by more than this factor.
 constexpr double tolerated_growth = 2;
 
-// A curve of which less than this share of the time is rendering is one of the start-up.
+// A curve shows start-up time if rendering takes less than this share of its time.
 constexpr double least_rendering_share = 0.5;
 
 struct Reference {
@@ -62,7 +62,7 @@ std::optional<Reference> reference_of(const Results& results, const SceneRecord&
 
 using Cells = std::vector<const Result*>;
 
-// Of the wall time, as the engine's phases tell it; empty where it tells none.
+// Rendering's share of the wall time, from the engine's phases; empty where the engine reports none.
 std::optional<double> rendering_share(const Cells& cells) {
   std::vector<double> shares;
   for (const Result* cell : cells) {
@@ -74,7 +74,8 @@ std::optional<double> rendering_share(const Cells& cells) {
   return shares.empty() ? std::nullopt : std::optional(median_of(shares));
 }
 
-// bias^2 is an unbiased estimate: where there is none it is as often negative, and only its interval's end means much.
+// The estimate of bias^2 is unbiased: without a bias it is negative as often as positive, and only its interval's upper
+// end means much.
 void set_split(const ErrorSplit& split, CurvePoint& point) {
   point.relmse = split.relmse;
   point.variance = split.variance;
@@ -91,7 +92,7 @@ void set_split(const ErrorSplit& split, CurvePoint& point) {
   }
 }
 
-// A copy adds nothing to what is known of the noise.
+// The images without exact copies, since a copy adds nothing to what is known of the noise.
 std::vector<Image> different_ones(const std::vector<Image>& images) {
   std::vector<Image> different;
   for (const Image& image : images)
@@ -113,7 +114,7 @@ void add_error(const Cells& cells, const Reference* reference, const fs::path& f
     const std::vector<Image> different = different_ones(images);
     set_split(split_error(reference->rendering.mean, variance ? &*variance : nullptr, different, reference->known),
               point);
-    // Images that are all the same may be right; of that the judge knows.
+    // Images that are all the same may still be right; the judge decides that.
     if (judge) point.correctness = judge(cells.front()->cell, different.size() > 1 ? different : images);
     return;
   }
@@ -158,7 +159,7 @@ bool is_reference(const Results& results, const Result& result) {
                      [&](const SceneRecord& scene) { return scene.reference_label == result.cell.label(); });
 }
 
-// Finished cells by budget, ascending, of one scene, engine and kind of budget.
+// Finished cells of one scene, engine and kind of budget, by ascending budget.
 std::map<double, Cells> cells_by_amount(const Results& results, const Cell& like) {
   std::map<double, Cells> cells;
   for (const Result& result : results.results)
@@ -168,13 +169,13 @@ std::map<double, Cells> cells_by_amount(const Results& results, const Cell& like
   return cells;
 }
 
-// In the words of the first image of the largest budget: numbers in them differ from image to image.
+// Takes the text of the first image of the largest budget, since numbers in the texts differ between images.
 void add_declared_losses(const std::map<double, Cells>& cells, Convergence& curve) {
   for (const std::string& caveat : cells.rbegin()->second.front()->caveats)
     if (caveat.starts_with(declared_by_engine)) curve.caveats.push_back(caveat);
 }
 
-// Of the largest budget concerned; the smaller ones are too.
+// Names the largest budget concerned; the smaller ones are concerned too.
 void add_start_up_caveat(const std::map<double, Cells>& cells, Convergence& curve) {
   for (auto budget = cells.rbegin(); budget != cells.rend(); ++budget) {
     const std::optional<double> share = rendering_share(budget->second);
@@ -221,13 +222,14 @@ void set_slope(const KnownPoints& known, Convergence& curve) {
     curve.slope = Estimate{fit->slope, fit->slope_interval};
 }
 
-// An end of an estimate, or the value that both ends are about.
+// Selects one end of an estimate's interval, or its value.
 using EndOf = std::optional<double> (*)(const Estimate&);
 std::optional<double> value_of(const Estimate& e) { return e.value; }
 std::optional<double> low_of(const Estimate& e) { return e.interval ? std::optional(e.interval->low) : std::nullopt; }
 std::optional<double> high_of(const Estimate& e) { return e.interval ? std::optional(e.interval->high) : std::nullopt; }
 
-// Ascending seconds: times of a busy machine may have another order than budgets. Empty where a point lacks an end.
+// Points in ascending seconds, since on a busy machine larger budgets may take less time. Empty where a point lacks an
+// end.
 CurvePoints points_with(EndOf seconds, EndOf relmse, const KnownPoints& curve) {
   CurvePoints points;
   for (const CurvePoint* point : curve.points) {
@@ -239,8 +241,8 @@ CurvePoints points_with(EndOf seconds, EndOf relmse, const KnownPoints& curve) {
   return points;
 }
 
-// Both uncertainties, that of the errors and that of the times, add in quadrature on the logarithm. Empty where one is
-// not known, or where an end of it is never reached.
+// The uncertainties of errors and of times add in quadrature on the logarithm. Empty where one is not known, or where
+// the curve through its ends never reaches `relmse`.
 std::optional<Interval> interval_of_time(const KnownPoints& curve, double seconds, double relmse) {
   struct Ends {
     EndOf seconds, relmse;
@@ -258,7 +260,7 @@ std::optional<Interval> interval_of_time(const KnownPoints& curve, double second
   return Interval{seconds * std::exp(-down), seconds * std::exp(up)};
 }
 
-// Relative half-widths add in quadrature on the logarithm; no interval where one of the two is not known.
+// Relative half-widths add in quadrature on the logarithm. Without an interval of both there is none.
 Estimate efficiency_of(const Estimate& relmse, const Estimate& seconds) {
   Estimate efficiency{1 / (relmse.value * seconds.value), {}};
   double down = 0, up = 0;
@@ -280,7 +282,7 @@ std::optional<double> relmse_of(const Result& result) {
 }
 
 std::optional<double> time_to_error(const CurvePoints& points, double target) {
-  std::size_t below = points.size();  // the first of the points from which on all are
+  std::size_t below = points.size();  // all points from this one on are below the target
   while (below > 0 && points[below - 1].second <= target) --below;
   if (below == points.size()) return std::nullopt;
   if (below == 0) return points[0].second == target ? std::optional(points[0].first) : std::nullopt;

@@ -57,7 +57,7 @@ TEST(Convergence, target_outside_what_was_measured_is_never_extrapolated) {
   EXPECT_EQ(time_to_error({{1, 0.02}, {2, 0.01}}, 0.01), 2);
 }
 
-// Errors .018, .006 and 1.25 were measured, after which the table said that .01 is reached in .0196 s.
+// Errors of 0.018, 0.006 and 1.25 were measured. Without this rule the table says that 0.01 is reached in 0.0196 s.
 TEST(Convergence, budget_above_the_target_refutes_the_smaller_ones_below_it) {
   Convergence curve;
   curve.points = {point(4, 0.016, 0.018), point(16, 0.022, 0.006), point(64, 0.08, 1.25)};
@@ -82,8 +82,8 @@ TEST(Convergence, error_may_grow_by_a_factor_of_two) {
   }
 }
 
-// One budget behind a leap may be as lucky as those before it; two say where the curve is, and only they do.
-// 0.02 / t = 0.003 at t = 6.667.
+// One budget behind a leap may be as lucky as those before it. Two behind it show where the curve is, and then they
+// alone count. 0.02 / t = 0.003 at t = 6.667.
 TEST(Convergence, budgets_behind_a_leap_count_from_two_on) {
   Convergence curve;
   curve.points = {point(1, 1, 0.001), point(2, 2, 0.01), point(4, 4, 0.005)};
@@ -99,7 +99,7 @@ TEST(Convergence, budgets_behind_a_leap_count_from_two_on) {
   EXPECT_FALSE(curve.slope);
 }
 
-// The error may grow a little by chance: what counts is from where on it stays below.
+// The error may grow a little by chance: the target is reached from the point on where it stays below.
 TEST(Convergence, target_counts_as_reached_where_no_larger_budget_is_above_it) {
   EXPECT_FALSE(time_to_error({{1, 0.018}, {4, 0.006}, {16, 0.011}}, 0.01));
   Convergence curve;
@@ -111,8 +111,8 @@ TEST(Convergence, target_counts_as_reached_where_no_larger_budget_is_above_it) {
   EXPECT_NEAR(time_to_error({{1, 0.02}, {4, 0.005}, {16, 0.0125}, {64, 0.008}}, 0.01).value(), 32, 1e-9);
 }
 
-// Errors to 10 % and times to 20 %: sqrt(log(1.1)^2 + log(1.2)^2) = 0.205731 on the logarithm, a factor of 1.228423.
-// A curve with slope -1 turns both into times one to one.
+// Errors known to 10 % and times to 20 %: sqrt(log(1.1)^2 + log(1.2)^2) = 0.205731 on the logarithm, a factor of
+// 1.228423. A curve of slope -1 carries both over to times one to one.
 TEST(Convergence, uncertainty_of_errors_and_of_times_is_in_that_of_the_time_to_a_target) {
   Convergence curve = exact_curve();
   for (CurvePoint& p : curve.points) p.seconds.interval = Interval{p.seconds.value / 1.2, p.seconds.value * 1.2};
@@ -128,7 +128,7 @@ TEST(Convergence, uncertainty_of_errors_and_of_times_is_in_that_of_the_time_to_a
   EXPECT_FALSE(curve.efficiency->interval);
 }
 
-// 1 / (relmse s): the upper end of the error gives the efficiency's lower end.
+// 1 / (relmse s): the error's upper end gives the efficiency's lower end.
 TEST(Convergence, ends_of_the_efficiency_are_those_of_the_error_turned_round) {
   Convergence curve = exact_curve();
   for (CurvePoint& p : curve.points) p.relmse->interval = Interval{p.relmse->value / 1.1, p.relmse->value * 1.3};
@@ -137,7 +137,7 @@ TEST(Convergence, ends_of_the_efficiency_are_those_of_the_error_turned_round) {
   EXPECT_NEAR(curve.efficiency->interval->high, 50 * 1.1, 1e-9);
 }
 
-// Statistics that mean nothing are not printed, and the record says why.
+// Statistics without meaning are not printed, and the record gives the reason.
 TEST(Convergence, slope_of_two_budgets_is_undefined_as_its_error_is_unknown) {
   Convergence curve = exact_curve();
   curve.points.resize(2);
@@ -150,8 +150,8 @@ TEST(Convergence, slope_of_two_budgets_is_undefined_as_its_error_is_unknown) {
   EXPECT_EQ(curve.undefined.at("slope"), "one budget");
 }
 
-// log relmse is 0, .6 and 0 at log seconds 0, 1 and 2: slope 0, residuals -.2, .4 and -.2, so the slope's standard
-// error is sqrt(.24 / 1 / 2) = 0.3464 and its margin t(0.975, 1) = 12.71 times that, 4.4.
+// At log seconds 0, 1 and 2 log relmse is 0, 0.6 and 0: slope 0, residuals -0.2, 0.4 and -0.2. The slope's standard
+// error is sqrt(.24 / 1 / 2) = 0.3464, and its margin t(0.975, 1) = 12.71 times that, 4.4.
 TEST(Convergence, slope_that_is_not_known_to_one_is_undefined) {
   Convergence curve;
   for (int i = 0; i < 3; ++i) curve.points.push_back(point(i + 1, std::exp(i), std::exp(i == 1 ? 0.6 : 0)));
@@ -207,8 +207,8 @@ TEST_F(ConvergenceOfImages, cells_become_curves_by_engine_and_kind_of_budget) {
   EXPECT_EQ(four.seeds, 2);
   EXPECT_NEAR(four.relmse->value, (0.04 + 0.16) / 2, 1e-7);
   EXPECT_EQ(four.seconds.value, 2);
-  // Sample variance of 0.02 and 0.04 is 0.0002, relative to 0.01: 0.02. The mean is off by 0.3 with a noise of
-  // sqrt(0.02 / 2) = 0.1, of which Student's t takes 12.706: the squared bias is at most (0.3 + 1.2706)^2.
+  // The sample variance of 0.02 and 0.04 is 0.0002, which is 0.02 relative to 0.01. The mean is off by 0.3 with noise
+  // sqrt(0.02 / 2) = 0.1, times Student's t = 12.706. So the squared bias is at most (0.3 + 1.2706)^2.
   EXPECT_NEAR(four.variance->value, 0.02, 1e-7);
   EXPECT_FALSE(four.variance->interval);
   EXPECT_EQ(four.undefined.at("bias2"), "none seen above 2.5");
@@ -227,7 +227,7 @@ TEST_F(ConvergenceOfImages, error_of_rounding_is_named) {
   EXPECT_FALSE(curve.efficiency);
 }
 
-// Of +-0.02 the mean is the reference: bias2 is 0 - 0.0004 * 2 / 2 / 0.01 = -0.04 exactly, in every block. Two images
+// The mean of +-0.02 is the reference: `bias2` is 0 - 0.0004 * 2 / 2 / 0.01 = -0.04 exactly, in every block. Two images
 // that may share noise bound it by 12.706^2 0.04 = 6.5.
 TEST_F(ConvergenceOfImages, bias_that_is_not_seen_is_a_bound_and_no_negative_square) {
   add({"s", "path", {"spp", 4}, 1}, 0.02f, 1);
@@ -243,7 +243,7 @@ TEST_F(ConvergenceOfImages, of_one_seed_neither_bias_nor_variance_is_known_and_t
   EXPECT_EQ(one.undefined, (Reasons{{"bias2", "one seed"}, {"variance", "one seed"}}));
 }
 
-// Of the three different images: relMSEs 0.04, 0.16 and 0.36, no matter how often the second comes.
+// The three different images have relMSEs 0.04, 0.16 and 0.36; the second counts once, however often it occurs.
 TEST_F(ConvergenceOfImages, image_that_two_seeds_gave_counts_once) {
   std::uint64_t seed = 0;
   for (const float value : {0.02f, 0.04f, 0.04f, 0.06f, 0.04f}) add({"s", "path", {"spp", 4}, ++seed}, value, 1);
@@ -293,8 +293,8 @@ TEST_F(ConvergenceOfImages, error_that_is_in_part_the_references_noise_is_said_f
   EXPECT_EQ(curve_of(0.52).points[0].undefined.at(own_error_key), "it is the reference's noise");
 }
 
-// Eight noisy images of a reference whose variance is said to be ten times theirs: bias^2 less that is far below 0. A
-// cell's variance is an upper bound, so that the interval's end has it added again; a stored reference's is exact.
+// Eight noisy images whose reference states ten times their variance: bias^2 less that is far below 0. A cell's
+// variance is an upper bound, so the interval's end has it added again. A stored reference's variance is exact.
 TEST_F(ConvergenceOfImages, variance_of_a_reference_that_is_a_cell_is_an_upper_bound) {
   Rendering reference{Image(32, 32), Image(32, 32), {}};
   for (float& v : reference.variance->rgb) v = 1e-5f;

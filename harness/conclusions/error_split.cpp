@@ -13,7 +13,7 @@ namespace photonproof::inline harness_conclusions {
 namespace {
 
 constexpr int least_block_side = 4;
-constexpr int most_blocks_a_side = 32;  // resampling takes time in proportion to their number
+constexpr int most_blocks_a_side = 32;  // resampling time is proportional to their number
 constexpr double normal_975 = 1.959964;
 constexpr double one_sided_tail = 0.025;
 
@@ -21,7 +21,7 @@ constexpr double one_sided_tail = 0.025;
 struct BlockSums {
   std::vector<double> squared_errors, errors;  ///< of each image: relative squares, and signed, relative to the root
   double bias2 = 0, variance = 0;
-  double values = 0;  ///< how many
+  double values = 0;  ///< number of values
 };
 
 class Blocks {
@@ -105,13 +105,13 @@ Estimate relmse_of_blocks(const std::vector<BlockSums>& blocks, std::size_t imag
   const auto count = static_cast<double>(images);
   const double half = std::max(normal_975 * std::sqrt(independent_blocks / count),
                                student_975(count - 1) * std::sqrt(sample_variance(totals) / count));
-  // On the logarithm, where an error's distribution is less skewed and its interval stays positive.
+  // The interval is on the logarithm, where an error's distribution is less skewed and the interval stays positive.
   estimate.interval = interval_on_logarithm(estimate.value, half / values / estimate.value);
   return estimate;
 }
 
-// Whether the images vary together over more than a block varies by itself: by blocks of 8 x 8 pixels, or by their sums
-// of signed errors. Two images cannot tell.
+// Whether the images vary together over more than a block, judged by blocks of 8 x 8 pixels or by the sums of the
+// blocks' signed errors. Always true for two images, which do not show it.
 bool blocks_share_noise(const std::vector<BlockSums>& blocks, std::span<const Image> images) {
   if (images.size() < 3) return true;
   constexpr double level = 0.01;  // a false alarm only widens intervals
@@ -131,7 +131,7 @@ bool blocks_share_noise(const std::vector<BlockSums>& blocks, std::span<const Im
   return sample_variance(totals) * freedom > chi_square_bound(freedom, level) * independent_blocks;
 }
 
-// As the header derives them, from estimates without intervals. `own`: the reference's noise.
+// Intervals as derived in the header, from estimates without intervals. `own` is the reference's noise.
 void set_intervals_of_shared_noise(double own, std::size_t images, ErrorSplit& split) {
   const auto count = static_cast<double>(images);
   const double noise = split.variance->value / count, off = std::sqrt(std::max(0.0, split.bias2->value + noise + own));

@@ -78,7 +78,8 @@ TEST(ErrorSplit, noise_of_the_reference_is_not_taken_for_bias) {
   EXPECT_LE(held_without, 5);
 }
 
-// v is stated twice as large as it is: taken as exact, bias2 seems to be -v; taken as a bound, 0 is within reach.
+// The reference states twice its true v. Taken as exact, `bias2` seems to be -v; taken as a bound, its interval holds
+// 0.
 TEST(ErrorSplit, overstated_noise_of_the_reference_is_no_negative_bias) {
   std::mt19937_64 generator(11);
   const Image reference = noisy(0.025, 1, generator), variance = variance_image(0.025 * std::sqrt(2.0));
@@ -103,7 +104,7 @@ TEST(ErrorSplit, planted_bias_is_recovered) {
   EXPECT_TRUE(holds(split.variance->interval, expected_variance(0.1)));
 }
 
-// For every set of images: mean relmse = bias2 + variance (here v = 0), since E (x - r)^2 = (m - r)^2 + (K-1)/K s^2.
+// For every set of images mean relmse = bias2 + variance (here v = 0), since E (x - r)^2 = (m - r)^2 + (K-1)/K s^2.
 TEST(ErrorSplit, parts_add_up_to_the_whole) {
   std::mt19937_64 generator(6);
   const std::vector<Image> images{noisy(0.2, 1.1, generator), noisy(0.2, 1.1, generator)};
@@ -129,8 +130,8 @@ Image noisy_together(double sd, double together, std::mt19937_64& generator) {
   return noisy(sd, scale, generator);
 }
 
-// Nominal 95 %; the binomial's standard error is 2.2 % of 100 experiments. By blocks alone a sixth to a third of them
-// find a bias that is not there.
+// Nominal 95 %; the standard error is 2.2 % over 100 experiments. Blocks alone would find a bias that does not exist in
+// a sixth to a third of them.
 TEST(ErrorSplit, noise_of_the_whole_image_is_not_taken_for_bias) {
   for (const std::size_t count : {2u, 3u, 5u})
     for (const double together : {0.005, 0.02, 0.05}) {
@@ -146,8 +147,8 @@ TEST(ErrorSplit, noise_of_the_whole_image_is_not_taken_for_bias) {
     }
 }
 
-// relmse then is nearly that of the common factor alone, which is chi^2 of one degree of freedom: 2 images hold it
-// least often, since Student's t wants normal logarithms.
+// Here relmse is nearly that of the common factor alone, which is chi^2 of one degree of freedom. The interval of 2
+// images holds it least often, since Student's t assumes normal logarithms.
 TEST(ErrorSplit, interval_of_relmse_holds_it_where_pixels_share_noise) {
   double expected = 0;
   for (const float r : truth().rgb) expected += 0.0025 * r * r * relative_weight(r);
@@ -172,10 +173,10 @@ Image grey(float value) {
   return image;
 }
 
-// relMSEs 0.04, 0.16 and 0.36: mean 0.186667, standard deviation 0.161658, standard error 0.0933333, and Student's
-// t(0.975; 2) = 4.302653, so exp(+-2.151325) times the mean.
-// Bias: the mean image is off by 0.4, variance 0.04, h = 4.302653 sqrt(0.04 / 3) = 0.496828, (0.4 + h)^2 = 0.804300.
-// Variance: 2 * 0.04 / chi^2(0.975; 2) = 0.08 / 7.377759, and 0.08 / 0.0506356.
+// The relMSEs 0.04, 0.16 and 0.36 have mean 0.186667, standard deviation 0.161658, standard error 0.0933333. Student's
+// t(0.975; 2) = 4.302653, so exp(+-2.151325) times the mean. Bias: the mean image is off by 0.4, variance 0.04, h =
+// 4.302653 sqrt(0.04 / 3) = 0.496828, (0.4 + h)^2 = 0.804300. Variance: 2 * 0.04 / chi^2(0.975; 2) = 0.08 / 7.377759,
+// and 0.08 / 0.0506356.
 TEST(ErrorSplit, intervals_of_three_images_that_share_all_noise_are_those_of_three_numbers) {
   const ErrorSplit split = split_error(grey(0), nullptr, std::vector<Image>{grey(0.02f), grey(0.04f), grey(0.06f)});
   EXPECT_NEAR(split.relmse.value, 0.186667, 1e-6);
@@ -189,8 +190,8 @@ TEST(ErrorSplit, intervals_of_three_images_that_share_all_noise_are_those_of_thr
   EXPECT_NEAR(split.variance->interval->high, 1.579916, 1e-4);
 }
 
-// The same with a reference whose variance is 1e-4, relative to 0.01: 0.01. It is taken from bias2 and added to h^2:
-// sqrt(4.302653^2 0.04 / 3 + 0.01) = 0.506792.
+// The reference here has a variance of 1e-4, which is 0.01 relative to 0.01. It is subtracted from bias2 and added to
+// h^2: sqrt(4.302653^2 0.04 / 3 + 0.01) = 0.506792.
 TEST(ErrorSplit, variance_of_the_reference_is_taken_from_the_bias_and_added_to_its_uncertainty) {
   const Image variance = grey(1e-4f);
   const ErrorSplit split = split_error(grey(0), &variance, std::vector<Image>{grey(0.02f), grey(0.04f), grey(0.06f)});
@@ -198,9 +199,9 @@ TEST(ErrorSplit, variance_of_the_reference_is_taken_from_the_bias_and_added_to_i
   EXPECT_NEAR(split.bias2->interval->high, std::pow(0.4 + 0.506792, 2), 1e-5);
 }
 
-// Two images that are 0.02 in one half and 0.04 in the other, the other way round: both have the relMSE 0.1. A block of
-// 48 values differs by 48 (0.16 - 0.04) = 5.76; its variance is 5.76^2/2, that of the mean of two images summed over
-// 16 blocks 16 * 5.76^2/4 = 11.52^2, relative to 0.1 * 768 values 0.15, times 1.959964.
+// Two images, 0.02 in one half and 0.04 in the other, and the reverse: both have the relMSE 0.1. A block of 48 values
+// differs by 48 (0.16 - 0.04) = 5.76, so its variance is 5.76^2/2. The mean of two images summed over 16 blocks has 16
+// * 5.76^2/4 = 11.52^2, relative to 0.1 * 768 values 0.15, times 1.959964.
 TEST(ErrorSplit, interval_of_relmse_of_independent_blocks_is_the_normal_one) {
   std::vector<Image> images(2, grey(0.02f));
   for (int y = 0; y < 16; ++y)
@@ -211,7 +212,7 @@ TEST(ErrorSplit, interval_of_relmse_of_independent_blocks_is_the_normal_one) {
   EXPECT_NEAR(split.relmse.interval->low / split.relmse.value, std::exp(-0.1500 * 1.959964), 1e-5);
 }
 
-// 255 pixels with the squared error 1 and one of 12: 12 / 267 = 4.5 %; of 14, 14 / 269 = 5.2 %.
+// A pixel of squared error 12 among 255 of 1 has 12 / 267 = 4.5 %; one of 14 has 14 / 269 = 5.2 %.
 TEST(ErrorSplit, error_of_which_one_pixel_has_a_twentieth_has_no_interval) {
   for (const double of_one : {12.0, 14.0}) {
     std::vector<Image> images{grey(0.02f), grey(0.02f), grey(0.02f)};
@@ -236,9 +237,9 @@ TEST(ErrorSplit, one_image_tells_nothing_of_its_spread) {
   EXPECT_FALSE(split.variance);
 }
 
-// Eight images of 144 blocks whose sums of errors have 12 times the variance that independent blocks leave: r = 11/143
-// between any two, which only the sum of all shows. Its ratio is 12 chi^2_7 / 7, above the 1 % bound of 18.475/7 with a
-// probability of 0.98; the variance's interval then is that of 8 numbers, 7/1.690 up.
+// Eight images of 144 blocks, whose error sums have 12 times the variance of independent blocks: r = 11/143 between two
+// blocks, which only the sum of all shows. Its ratio is 12 chi^2_7 / 7, above the 1 % bound of 18.475/7 with
+// probability 0.98. The variance's interval then is that of 8 numbers, 7/1.690 up.
 TEST(ErrorSplit, noise_that_all_blocks_share_a_little_is_seen_in_their_sum) {
   std::mt19937_64 generator(5);
   std::normal_distribution<double> normal;

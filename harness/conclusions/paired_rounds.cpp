@@ -10,7 +10,7 @@
 namespace photonproof::inline harness_conclusions {
 namespace {
 
-// The median and its interval of ratios whose logarithms these are.
+// Median and interval of ratios, from their logarithms.
 Estimate exponentiated(const Estimate& logarithm) {
   Estimate ratio{std::exp(logarithm.value), {}};
   if (logarithm.interval) ratio.interval = {std::exp(logarithm.interval->low), std::exp(logarithm.interval->high)};

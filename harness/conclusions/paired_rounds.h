@@ -1,7 +1,7 @@
-// Is one program slower or more wrong than another? Judged from rounds in which the old program, the new one and the
-// old one again work on the same cell with the same seed. The three run at the same time on one processor, so that the
-// kernel interleaves them every few milliseconds and whatever else the machine does slows all of them alike (Bulej et
-// al. 2020, "Duet benchmarking"); what is compared is processor time. The old program against itself is the control.
+// Is one program slower or less accurate than another? In each round the old program, the new one and the old one again
+// work on the same cell with the same seed. The three run at once on one processor. The kernel interleaves them every
+// few milliseconds, so other work slows all of them alike (Bulej et al. 2020, "Duet benchmarking"). Their processor
+// times are compared; the old program against itself is the control.
 #pragma once
 
 #include <optional>
@@ -22,7 +22,7 @@ struct PairedRound {
 
 /// A ratio is judged once its interval lies on one side of these, or between them.
 struct ChangeThresholds {
-  double seconds = 0.015;  ///< of 1: half of the 3 % that is to be found, so that none and 3 % are equally easy to tell
+  double seconds = 0.015;  ///< of 1: half of the 3 % to be found, so that 0 and 3 % are equally easy to decide
   double relmse = 0.05;
   std::size_t least_rounds = 6;  ///< the fewest whose median has a 95 % interval
 };
@@ -34,16 +34,16 @@ struct RatioVerdict {
   std::string reason;  ///< why inconclusive, or "" otherwise
 };
 
-/// Median ratio of processor times, new to the mean of both old ones, with its 95 % interval. Inconclusive
-/// while the interval holds a threshold, while the control's interval excludes 1, or with too few rounds; more rounds
-/// may then decide.
+/// Median ratio of the new processor time to the mean of both old ones, with its 95 % interval. Inconclusive while the
+/// interval holds a threshold, while the control's interval excludes 1, or with too few rounds. More rounds may then
+/// decide.
 RatioVerdict judge_seconds(std::span<const PairedRound> rounds, const ChangeThresholds& thresholds = {});
 
-/// Ratio of mean relmse, its interval by the jackknife over rounds. Same images in every round are unchanged at once.
-/// Empty where a round has no relmse.
+/// Ratio of mean relmse, with an interval by the jackknife over rounds. Equal images in every round are `unchanged` at
+/// once. Empty where a round has no relmse.
 std::optional<RatioVerdict> judge_relmse(std::span<const PairedRound> rounds, const ChangeThresholds& thresholds = {});
 
-/// On which side of 1 +- threshold the interval lies; inconclusive when it holds either end.
+/// The side of 1 +- threshold on which the interval lies; inconclusive when it holds either end.
 Change side_of(const Interval& ratio, double threshold);
 
 /// "1.031 (95 % interval 1.027 to 1.036)".

@@ -50,8 +50,8 @@ TEST(PairedRounds, thresholds_are_one_and_a_half_percent_of_time_and_five_of_err
   EXPECT_EQ(change_of(1.0153, 1.051), std::pair(Change::regression, Change::regression));
 }
 
-// Noise of 1 % a run is 1.2 % a round (new, and the mean of two old ones); 40 rounds determine the median to
-// 1.25 * 1.2 % / sqrt(40) = 0.24 %, six of which separate 0 and 3 % from the threshold between them.
+// Noise of 1 % a run is 1.2 % a round (the new run and the mean of two old ones). 40 rounds determine the median to
+// 1.25 * 1.2 % / sqrt(40) = 0.24 %. The threshold is six of these away from 0 and from 3 %.
 TEST(PairedRounds, three_percent_are_told_from_none_whatever_disturbs_all_three_alike) {
   int called = 0, false_alarms = 0;
   for (std::uint64_t session = 0; session < 100; ++session) {
@@ -90,7 +90,7 @@ TEST(PairedRounds, session_whose_control_differs_from_itself_gives_no_verdict) {
       << verdict.reason;
 }
 
-// The median of five lies between the extremes with 93.75 % (statistics.h).
+// The range of five values holds the median with probability 93.75 % (statistics.h).
 TEST(PairedRounds, five_rounds_are_too_few) {
   const RatioVerdict verdict = judge_seconds(rounds_of(5, 2, 0.001, 5));
   EXPECT_EQ(verdict.change, Change::inconclusive);

@@ -22,8 +22,8 @@ Convergence curve(const std::string& engine, const std::vector<std::pair<double,
   return out;
 }
 
-// `slow` comes down to 0.01 in 8 s; `fast` passes 0.01 halfway (in logarithms) between 1 s and 4 s. `late` is below it
-// with its smallest budget already, after 3 s: it may have taken 1 s, so it has no place before or behind `fast`.
+// `slow` comes down to 0.01 in 8 s; `fast` passes 0.01 halfway (in logarithms) between 1 s and 4 s. Already the
+// smallest budget of `late`, at 3 s, is below it. It may have taken 1 s, so it has no place before or behind `fast`.
 TEST(Race, is_run_to_the_error_that_most_engines_reach_between_two_budgets) {
   const std::vector<RaceRecord> races = races_of(
       {curve("slow", {{2, 0.04}, {8, 0.01}}), curve("late", {{3, 0.001}}), curve("fast", {{1, 0.02}, {4, 0.005}})});
@@ -37,7 +37,7 @@ TEST(Race, is_run_to_the_error_that_most_engines_reach_between_two_budgets) {
   EXPECT_EQ(races[0].times[2], (Time{"late", 3, true, false, true}));
 }
 
-// At 0.01 three engines have a time; the weakest one, that ends at 0.5, needs more than its 9 s.
+// At 0.01 three engines have a time. The weakest one ends at 0.5 and needs more than its 9 s.
 TEST(Race, is_not_run_to_the_weakest_engines_error) {
   const std::vector<RaceRecord> races =
       races_of({curve("a", {{1, 0.04}, {4, 0.01}}), curve("b", {{2, 0.04}, {8, 0.01}}),

@@ -5,7 +5,8 @@
 namespace photonproof::inline harness_conclusions {
 namespace {
 
-// `pairs` cells by "a" that take 1, 2, 3 ... s, and the same by "b", whose times are `ratio` up and down 1 % in turn.
+// `pairs` cells by "a" that take 1, 2, 3 ... s. The same cells by "b" take `ratio` times as long, 1 % up and down in
+// turn.
 Results twins(int pairs, double ratio) {
   Results results;
   for (int i = 1; i <= pairs; ++i) {

@@ -24,7 +24,7 @@ std::vector<const Result*> cells_like(const Results& run, const Cell& cell) {
   return cells;
 }
 
-// What identifies the reference that a scene's cells were compared with; empty when there is none.
+// Identifies the reference that a scene's cells were compared with; empty when there is none.
 std::string reference_named(const Results& run, const std::string& scene_name) {
   for (const SceneRecord& scene : run.scenes) {
     if (scene.name != scene_name) continue;
@@ -63,9 +63,9 @@ std::string verdict_words(Change change) {
   return "cannot tell";
 }
 
-// Logarithms of the cells' processor times, and of these by the calibration beside each, which is empty unless every
-// cell has one of the same workload. Seeds of one kind of cell share no reading, so the readings' noise is in what
-// these scatter.
+// Logarithms of the cells' processor times, and of their ratios to the calibration beside each. The ratios are empty
+// unless every cell has a calibration of the same workload. Seeds of one kind of cell share no reading, so the ratios'
+// scatter includes the readings' noise.
 struct StoredTimes {
   std::vector<double> plain, calibrated;
   std::string workload;

@@ -37,8 +37,8 @@ Change change_of(const Results& was, const Results& is, const std::string& quant
   throw std::out_of_range(quantity);
 }
 
-// The medians' intervals are [1, 1.05] each, so the ratio's is that of the medians * [1/1.05, 1.05], widened by 1.25:
-// 3 % lie inside, a factor of 2 far outside.
+// The medians' intervals are [1, 1.05] each. The ratio's interval is that of the medians * [1/1.05, 1.05], widened by
+// 1.25: 3 % lie inside, a factor of 2 far outside.
 TEST(StoredChanges, small_change_of_time_is_inconclusive_and_a_factor_of_two_is_not) {
   EXPECT_EQ(change_of(run(1, 0.1), run(1.03, 0.1), "seconds"), Change::inconclusive);
   EXPECT_EQ(change_of(run(1, 0.1), run(2, 0.1), "seconds"), Change::regression);
@@ -55,7 +55,7 @@ TEST(StoredChanges, interval_of_the_ratio_is_that_of_both_medians_and_of_the_ses
   EXPECT_NEAR(twice.ratio.interval->high, 2.606764, 1e-6);
 }
 
-// The same six cells, on a machine and at a time when the calibration takes as long as `calibration` seconds.
+// The same six cells with a calibration that takes `calibration` seconds.
 Results calibrated_run(double seconds, double calibration) {
   Results results = run(seconds, 0.1);
   for (Result& result : results.results) result.calibration = CalibrationReading{"1 (a compiler)", 2, calibration};
@@ -75,7 +75,8 @@ TEST(StoredChanges, machine_that_slowed_down_is_no_change) {
   EXPECT_EQ(change_of(run(1, 0.1), run(1.4, 0.1), "seconds"), Change::regression);
 }
 
-// 1.3 on a machine that is 1.4 times as slow, or as fast, is 1.3; without the calibration the latter is no change.
+// A factor of 1.3 is found on a machine 1.4 times as slow or as fast. In the latter case the times alone show no
+// change.
 TEST(StoredChanges, slow_down_is_called_on_a_machine_of_another_speed) {
   for (const double machine : {1.4, 1 / 1.4}) {
     const ChangeRecord slower =
@@ -87,7 +88,7 @@ TEST(StoredChanges, slow_down_is_called_on_a_machine_of_another_speed) {
   }
 }
 
-// Readings that differ by up to a factor of 2 leave an interval that 1.3 is not told apart in.
+// Readings that differ by up to a factor of 2 give an interval too wide to find a factor of 1.3.
 TEST(StoredChanges, noise_of_the_calibration_is_in_the_interval) {
   Results noisy = calibrated_run(1.3, 0.01);
   for (std::size_t i = 1; i < noisy.results.size(); i += 2) noisy.results[i].calibration->seconds = 0.02;
@@ -101,7 +102,7 @@ TEST(StoredChanges, noise_of_the_calibration_is_in_the_interval) {
   EXPECT_GT(width(unsure), 1.9 * width(quiet));
 }
 
-// 1.3 is within 1.25 and the noise then, and it says why.
+// Without the calibration 1.3 is within 1.25 and the noise, and the record gives the reason.
 TEST(StoredChanges, record_without_the_same_calibration_is_judged_by_its_times_and_says_so) {
   const auto ending = [](const ChangeRecord& record) {
     const std::size_t at = record.sentence.find("widened");

@@ -10,7 +10,7 @@
 namespace photonproof::inline harness_diagnosis {
 namespace {
 
-/// The picture read along rows, or along columns.
+/// The picture, read along rows or along columns.
 struct Lines {
   const Image& image;
   bool rows;
@@ -30,7 +30,7 @@ double black_share(const Lines& lines, int line) {
   return black / lines.length();
 }
 
-/// How much brighter the line is than the mean of the two beside it; the median over pixels and channels.
+/// Brightness of the line over the mean of its two neighbours, as the median over pixels and channels.
 double step_of(const Lines& lines, int line) {
   std::vector<double> steps;
   for (int i = 0; i < lines.length(); ++i)
@@ -40,7 +40,7 @@ double step_of(const Lines& lines, int line) {
   return middle_of(std::move(steps));
 }
 
-/// Lines that are black though those a few beside them are not.
+/// Black lines of which a few neighbours are not black.
 std::vector<int> black_lines(const Lines& lines) {
   std::vector<double> share;
   for (int line = 0; line < lines.count(); ++line) share.push_back(black_share(lines, line));
@@ -55,13 +55,13 @@ std::vector<int> black_lines(const Lines& lines) {
     const bool first = line < 2, last = line >= lines.count() - 2;
     if ((before < 0.6 || first) && (after < 0.6 || last) && std::min(before, after) < 0.6) found.push_back(line);
   }
-  // What lies about a scene may be black: at the image's edge alone it is no seam.
+  // The surroundings of a scene may be black: lines at the image's edge alone are no seam.
   if (std::all_of(found.begin(), found.end(), [&](int line) { return line < 2 || line >= lines.count() - 2; }))
     found.clear();
   return found;
 }
 
-/// Evenly spaced lines that stand out of their neighbours, in the picture and not in the reference.
+/// Evenly spaced lines that stand out from their neighbours, in the picture and not in the reference.
 std::vector<int> seams(const Lines& lines, const Lines& expected) {
   std::vector<int> found;
   std::vector<double> steps;
@@ -74,7 +74,7 @@ std::vector<int> seams(const Lines& lines, const Lines& expected) {
     if (std::abs(step) > 0.04 && std::abs(step) > 8 * usual && std::abs(step_of(expected, line)) < std::abs(step) / 3)
       found.push_back(line);
   }
-  // A line that is off makes its neighbours be off the other way.
+  // A line that deviates makes its neighbours deviate the other way.
   std::erase_if(found, [&](int line) {
     const double own = std::abs(steps[static_cast<std::size_t>(line - 1)]);
     for (const int near : {line - 1, line + 1})

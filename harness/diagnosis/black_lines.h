@@ -1,4 +1,4 @@
-// Rows and columns that were left out or are off from their neighbours, as tiles do that do not meet.
+// Rows and columns that are missing or deviate from their neighbours, as between tiles that do not meet.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@
 
 namespace photonproof::inline harness_diagnosis {
 
-/// At most one finding, of rows and columns together; their pixels become ignored.
+/// At most one finding for rows and columns together; their pixels become ignored.
 std::optional<Finding> find_lines(const Image& submitted, const Image& reference, std::vector<std::uint8_t>& ignored);
 
 }  // namespace photonproof::inline harness_diagnosis

@@ -87,7 +87,7 @@ struct Patch {
   }
 };
 
-/// Connected pixels that are black, and not yet ignored.
+/// Connected pixels that are black and not yet ignored.
 std::vector<Patch> black_patches(const Image& image, const Breakage& breakage) {
   std::vector<std::uint8_t> done(image.pixels());
   std::vector<Patch> patches;
@@ -120,7 +120,7 @@ std::vector<Patch> black_patches(const Image& image, const Breakage& breakage) {
   return patches;
 }
 
-/// Whether it is just what is seen of one object, which then is black for a reason of its own.
+/// Whether the patch is the visible part of one object, which then is black for its own reason.
 bool is_an_object(const Patch& patch, const SceneKnowledge& knowledge) {
   if (knowledge.seen.empty()) return false;
   std::vector<double> inside(knowledge.landmarks.size() + 1), all(knowledge.landmarks.size() + 1);
@@ -131,7 +131,7 @@ bool is_an_object(const Patch& patch, const SceneKnowledge& knowledge) {
   return false;
 }
 
-std::string words_of(const Patch& patch, const Image& image) {
+std::string patch_sentence(const Patch& patch, const Image& image) {
   const int width = patch.x1 - patch.x0 + 1, height = patch.y1 - patch.y0 + 1;
   if (width == image.width) {
     const std::string rows = std::to_string(height) + " rows";
@@ -149,7 +149,7 @@ std::string words_of(const Patch& patch, const Image& image) {
          part_of_image((patch.x0 + patch.x1 + 1) / 2.0, (patch.y0 + patch.y1 + 1) / 2.0, image.width, image.height);
 }
 
-/// Bars of one width at opposite sides: they lie beside the scene, in a view that is too wide, and were rendered.
+/// Bars of one width at opposite sides: they show the scene's surroundings in too wide a view, and were rendered.
 bool is_frame(const std::vector<Patch>& holes, const Image& image) {
   for (const Patch& a : holes)
     for (const Patch& b : holes) {
@@ -177,7 +177,7 @@ void find_holes(const Image& image, const SceneKnowledge& knowledge, Breakage& b
   std::sort(holes.begin(), holes.end(),
             [](const Patch& a, const Patch& b) { return a.pixels.size() > b.pixels.size(); });
   const Patch& largest = holes.front();
-  std::string sentence = words_of(largest, image);
+  std::string sentence = patch_sentence(largest, image);
   if (holes.size() > 1) sentence = std::to_string(holes.size()) + " parts are black; the largest: " + sentence;
   for (const Patch& hole : holes)
     for (const std::size_t i : hole.pixels) breakage.ignored[i] = 1;
@@ -202,7 +202,7 @@ float middle_of_neighbours(const Image& image, int x, int y, const std::vector<s
   return middle_of(std::move(around));
 }
 
-/// Within two pixels, so that an edge that lies elsewhere is no firefly.
+/// The brightest value within two pixels, so that an edge at another place does not count as a firefly.
 float brightest_near(const Image& image, int x, int y) {
   float most = 0;
   for (int ny = std::max(0, y - 2); ny <= std::min(image.height - 1, y + 2); ++ny)
@@ -211,7 +211,8 @@ float brightest_near(const Image& image, int x, int y) {
   return most;
 }
 
-/// Single pixels that are far brighter than those around them, where the reference's are not: left out, and not named.
+/// Finds single pixels far brighter than their neighbours, unless the reference's are, too; ignores them without a
+/// finding.
 void find_fireflies(const Image& image, const SceneKnowledge& knowledge, Breakage& breakage) {
   std::vector<double> bright(image.pixels());
   std::vector<float> spread;
@@ -234,7 +235,7 @@ void find_fireflies(const Image& image, const SceneKnowledge& knowledge, Breakag
     if (bright[i] > 0) breakage.ignored[i] = 1;
 }
 
-/// Clamped, and rounded as bytes are.
+/// The image clamped, and rounded as bytes are.
 Image as_shown(Image image) {
   for (float& v : image.rgb) v = std::round(std::clamp(v, 0.0f, 1.0f) * 255) / 255;
   return image;
@@ -248,16 +249,16 @@ bool has_one_value(const Image& image, int left, int top, int side) {
   return true;
 }
 
-/// Black or white: the light is missing there, or too bright, whatever the resolution.
+/// Black or white: light is missing or too bright there at any resolution.
 bool is_at_an_end(const Image& image, int x, int y) {
   const float* rgb = image.pixel(x, y);
   return std::all_of(rgb, rgb + 3, [](float v) { return v <= 0 || v >= 1; });
 }
 
-/// Squares that have one value each, of those in which the expected picture has several.
+/// Squares of one value each, among those in which the expected picture has several values.
 struct CoarseSquares {
   int alike = 0, all = 0;
-  std::vector<double> pixels;  ///< 1 where they are
+  std::vector<double> pixels;  ///< 1 where such squares are
   double share() const { return all < 16 ? 0 : static_cast<double>(alike) / all; }
 };
 
@@ -277,8 +278,8 @@ CoarseSquares coarse_squares(const Image& image, const Image& expected, int side
   return found;
 }
 
-/// Squares that start elsewhere then hardly ever have one value: in dark and even places they have, wherever they
-/// start.
+/// Compares with squares that start elsewhere: in a coarse picture these hardly ever have one value. In dark and even
+/// places squares have one value wherever they start.
 void find_coarse(const Image& image, const SceneKnowledge& knowledge, Breakage& breakage) {
   const Image expected = as_shown(knowledge.reference);
   for (int side = 16; side >= 2; --side) {
@@ -297,7 +298,7 @@ void find_coarse(const Image& image, const SceneKnowledge& knowledge, Breakage& 
          everywhere ? "rendered smaller and enlarged, or only one pixel in " + words + " is computed"
                     : "part of it is rendered smaller and enlarged, as when time or work is saved",
          where, found.share()});
-    // Its values may be those of squares' corners, as if shifted: the rest says more, if there is any.
+    // The squares may have the values of their corners, as if shifted: the rest, if there is any, shows more.
     if (!everywhere)
       for (std::size_t i = 0; i < found.pixels.size(); ++i)
         if (found.pixels[i] > 0) breakage.ignored[i] = 1;

@@ -1,5 +1,5 @@
-// What is broken in a picture whatever it shows: values that are not finite, nothing but one colour, lines and tiles
-// that were never rendered, specks. Found at full resolution, and left out of what is compared later.
+// Defects of a picture that do not depend on its scene: values that are not finite, a single colour, lines and tiles
+// that were never rendered, and specks. They are found at full resolution, and later comparisons leave them out.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@ namespace photonproof::inline harness_diagnosis {
 struct Breakage {
   std::vector<Finding> findings;
   std::vector<std::uint8_t> ignored;  ///< a pixel: 1 where it is broken
-  bool has_fireflies = false;         ///< among what is ignored
+  bool has_fireflies = false;         ///< some ignored pixels are fireflies
   bool hopeless = false;              ///< there is nothing to compare
 };
 

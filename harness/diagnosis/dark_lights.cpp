@@ -8,9 +8,9 @@
 namespace photonproof::inline harness_diagnosis {
 namespace {
 
-/// Of white: what is at least so bright is cut there, and what is less than the other is plainly darker.
+/// Fractions of white: a value of at least `white_part` is cut there; one below `dark_part` is clearly darker.
 constexpr double white_part = 0.999, dark_part = 0.95;
-/// Of values at white, fewer may be a highlight, and fewer dark ones a light's edge.
+/// The least number of values at white, as fewer may be a highlight, and the least dark share, as less may be an edge.
 constexpr std::size_t least_values = 12;
 constexpr double least_part = 0.6;
 

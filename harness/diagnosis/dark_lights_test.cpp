@@ -5,7 +5,7 @@
 namespace photonproof::inline harness_diagnosis {
 namespace {
 
-/// Grey, with a light of 4 x 2 pixels.
+/// A grey image with a light of 4 x 2 pixels.
 Image room(float light) {
   Image image(24, 24);
   for (float& v : image.rgb) v = 0.3f;
@@ -39,7 +39,7 @@ TEST(DarkLights, are_none_where_lights_are_white_or_pictures_are_not_cut) {
   EXPECT_FALSE(find_dark_lights(room(0.1f), unlit));
 }
 
-// Its few pixels are all edge, of which blocks show nothing.
+// The light's few pixels are all edge, where blocks show nothing.
 TEST(DarkLights, are_said_by_diagnosis_where_it_finds_nothing_else) {
   const std::vector<Finding> findings = diagnose(room(0.8f), of_room(1));
   ASSERT_FALSE(findings.empty());

@@ -31,7 +31,7 @@ bool as_expected_size(const Image& submitted, const SceneKnowledge& knowledge, s
   return false;
 }
 
-/// Whether the picture is nearer to another scene's than to this one's, by far.
+/// A finding if the picture is much nearer to another scene's picture than to this one's.
 std::optional<Finding> other_scene(const Comparison& comparison, const SceneKnowledge& knowledge, double own) {
   for (const auto& [name, image] : knowledge.other_images) {
     const double other = comparison.total(resized(image, comparison.width(), comparison.height()));
@@ -45,8 +45,8 @@ std::optional<Finding> other_scene(const Comparison& comparison, const SceneKnow
   return std::nullopt;
 }
 
-/// A reference that was itself cut at white does not know how bright lights are, which is what wraps around: our
-/// picture of the scene does.
+/// A reference cut at white does not hold how bright lights are, which decides how they wrap around. Our own picture of
+/// the scene does.
 Image unclamped(const SceneKnowledge& knowledge) {
   Image light = knowledge.reference;
   const Image& model = knowledge.light.get().model;
@@ -58,7 +58,7 @@ Image unclamped(const SceneKnowledge& knowledge) {
 
 class Search {
  public:
-  /// `patience`: how much more than usual is taken for noise.
+  /// `patience`: the factor by which more deviation than usual counts as noise.
   Search(const Image& submitted, const SceneKnowledge& knowledge, const Comparison& comparison, double patience)
       : submitted_(submitted), knowledge_(knowledge), comparison_(comparison), patience_(patience) {
     guess_.light = knowledge.reference;
@@ -67,14 +67,13 @@ class Search {
   }
 
   double at_first() const { return left_; }
-  /// Below this nothing stands out of noise.
-  /// Pictures with so much noise that clamping takes from it are darker than they should be.
+  /// The excess below which a picture agrees up to noise. Clamping darkens very noisy pictures, so it rises with noise.
   double least() const {
     const double size = std::max(1.0, comparison_.across() * comparison_.down() / 324.0);
     return patience_ * size * (0.004 + 5 * std::max(0.0, comparison_.noise() - 0.015));
   }
 
-  /// One explanation, or that there is none; empty where nothing stands out of noise.
+  /// One explanation, or "differs"; empty where the picture agrees up to noise.
   std::vector<Finding> run() {
     if (left_ <= least()) return patience_ == 1 ? faint() : std::vector<Finding>{};
     const std::vector<Candidate> candidates = candidates_now();
@@ -82,7 +81,7 @@ class Search {
     return best ? explained_by(*best) : std::vector{unexplained(excess_weight())};
   }
 
-  /// A mistake that blocks do not show is found all the same, but never named: several look alike so near to noise.
+  /// Finds a mistake that blocks do not show, but never names it: several look alike so close to noise.
   std::vector<Finding> faint() {
     if (!could_hide_a_mistake(guess_, knowledge_, comparison_)) return {};
     guess_.light = unclamped(knowledge_);
@@ -91,7 +90,7 @@ class Search {
   std::vector<Finding> pattern() { return unnamed(faint_pattern(guess_, knowledge_, comparison_)); }
 
  private:
-  /// What the light is made of, and how mistakes look, is rendered only where no turned picture explains everything.
+  /// Probes and pictures with mistakes are rendered only where no turned picture explains everything.
   std::vector<Candidate> candidates_now() {
     std::vector<Candidate> candidates;
     add_arrangements(guess_, comparison_, left_, candidates);
@@ -116,7 +115,7 @@ class Search {
     double mismatch;
   };
 
-  /// The candidate that is nearest in units of noise, if it explains nearly all and no other comes near it.
+  /// The candidate that is nearest in units of noise, if it explains nearly all and no other is near it.
   std::optional<Candidate> convincing(const std::vector<Candidate>& candidates) const {
     std::vector<Fit> fits;
     for (const Candidate& c : candidates)
@@ -133,10 +132,10 @@ class Search {
     return *best->candidate;
   }
 
-  /// Whether a candidate says no less than another: that is no rival, but the same with something added.
+  /// Whether a candidate includes all findings of another: it is no rival, but the same with something added.
   static bool says_all_of(const Candidate& candidate, const Candidate& other) {
-    return std::all_of(other.said.begin(), other.said.end(), [&](const Finding& wanted) {
-      return std::any_of(candidate.said.begin(), candidate.said.end(), [&](const Finding& said) {
+    return std::all_of(other.findings.begin(), other.findings.end(), [&](const Finding& wanted) {
+      return std::any_of(candidate.findings.begin(), candidate.findings.end(), [&](const Finding& said) {
         return said.kind == wanted.kind && (!other.local || said.sentence == wanted.sentence);
       });
     });
@@ -150,11 +149,11 @@ class Search {
   }
 
   std::vector<Finding> explained_by(const Candidate& best) const {
-    std::vector<Finding> findings = best.said;
+    std::vector<Finding> findings = best.findings;
     const std::vector<double> weight = difference(guess_.light, best.guess.light);
     for (Finding& finding : findings) {
-      // What several changes explain together is shared evenly.
-      finding.explained = (left_ - best.left) / left_ / static_cast<double>(best.said.size());
+      // The share that several changes explain together is divided evenly.
+      finding.explained = (left_ - best.left) / left_ / static_cast<double>(best.findings.size());
       finding.where = {0, 0, comparison_.width(), comparison_.height()};
       if (best.placed) {
         const std::string place = place_of(weight, comparison_.width(), comparison_.height(), knowledge_);
@@ -174,7 +173,7 @@ class Search {
     return weight;
   }
 
-  /// A pixel: what its block differs by beyond noise.
+  /// For each pixel, the difference of its block beyond noise.
   std::vector<double> excess_weight() const {
     std::vector<double> weight(submitted_.pixels());
     const std::size_t width = static_cast<std::size_t>(submitted_.width);
@@ -185,7 +184,7 @@ class Search {
     return weight;
   }
 
-  /// Where the picture differs, and whether it is too dark or too bright there: both are measured.
+  /// The place where the picture differs, and whether it is too dark or too bright there.
   Finding unexplained(const std::vector<double>& weight) const {
     const Image expected = predicted(guess_, comparison_.white());
     double brighter = 0, all = 0;
@@ -210,7 +209,7 @@ class Search {
   double patience_;
   Guess guess_;
   Excess at_first_;
-  double left_ = 0;  ///< by the guess
+  double left_ = 0;  ///< The excess that the guess leaves.
 };
 
 }  // namespace
@@ -222,7 +221,7 @@ std::vector<Finding> diagnose(const Image& submitted, const SceneKnowledge& know
   if (breakage.hopeless) return breakage.findings;
   const Comparison comparison(submitted, knowledge.white, knowledge.tolerance, breakage.ignored);
   Search search(submitted, knowledge, comparison,
-                breakage.has_fireflies ? 6 : 1);  // they take their light from what is compared
+                breakage.has_fireflies ? 6 : 1);  // fireflies take their light from the compared pixels
   if (search.at_first() > search.least())
     if (std::optional<Finding> other = other_scene(comparison, knowledge, search.at_first())) return {*other};
   findings = search.run();
@@ -234,7 +233,7 @@ std::vector<Finding> diagnose(const Image& submitted, const SceneKnowledge& know
   const bool other_view = std::any_of(findings.begin(), findings.end(), [](const Finding& f) {
     return (f.kind == "shifted" || f.kind == "field-of-view") && f.explained > 0.3;
   });
-  // A black strip then is what lies beside the scene.
+  // A black strip then shows the scene's surroundings.
   if (other_view) std::erase_if(breakage.findings, [](const Finding& f) { return f.kind == "unrendered"; });
   // Enlarged pixels look shifted and blurred by themselves.
   const bool coarse = std::any_of(breakage.findings.begin(), breakage.findings.end(),

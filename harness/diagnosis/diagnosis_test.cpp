@@ -1,5 +1,5 @@
-// Planted defects, each of which must be named first and at the right place or said to be unexplained, and right
-// pictures, of which nothing may be said.
+// Planted defects: each must be named first and at the right place, or be called unexplained. Right pictures must have
+// no findings.
 
 #include "harness/diagnosis/diagnosis.h"
 
@@ -52,8 +52,8 @@ Image plus(Image a, const Image& b, double factor) {
 struct Defect {
   const char* name;
   const char* scene;
-  const char* kind;      ///< of the first finding
-  const char* sentence;  ///< a part of it
+  const char* kind;      ///< kind of the first finding
+  const char* sentence;  ///< part of its sentence
   std::function<Image(const Image& right, const SceneKnowledge& knowledge)> plant;
 };
 
@@ -78,13 +78,13 @@ Image black_where(Image image, const std::function<bool(int, int)>& where) {
       if (where(x, y)) image.pixel(x, y)[0] = image.pixel(x, y)[1] = image.pixel(x, y)[2] = 0;
   return image;
 }
-/// From this row on, squares have the value of their first pixel.
+/// Squares that have the value of their first pixel, from row `from` on.
 Image corners(Image image, int of, int from) {
   for (int y = from; y < image.height; ++y)
     for (int x = 0; x < image.width; ++x) std::copy_n(image.pixel(x / of * of, y / of * of), 3, image.pixel(x, y));
   return image;
 }
-/// With the change of that mistake, whose noise is not the picture's.
+/// The picture with the change of that mistake. The change has noise of its own.
 Image mistaken(const Image& right, const SceneKnowledge& knowledge, const std::string& kind) {
   const SceneLight& light = knowledge.light.get();
   for (const std::vector<WhatIf>* what_ifs : {&knowledge.what_ifs, &light.formulas})
@@ -92,7 +92,7 @@ Image mistaken(const Image& right, const SceneKnowledge& knowledge, const std::s
       if (what_if.kind == kind) return plus(plus(right, what_if.image.get(), 1), light.model, -1);
   throw std::runtime_error("no mistake " + kind);
 }
-/// Of a scene that was changed.
+/// The picture of a changed scene.
 Image changed(const char* name, const std::function<void(SceneDescription&)>& change) {
   SceneDescription scene = test_scene(name);
   change(scene);
@@ -149,7 +149,7 @@ const std::vector<Defect>& picture_defects() {
   return defects;
 }
 
-/// Pixels that are those of another place.
+/// Defects that move pixels to another place.
 const std::vector<Defect>& place_defects() {
   using K = SceneKnowledge;
   static const std::vector<Defect> defects{
@@ -346,7 +346,7 @@ void expect_found(const std::vector<Defect>& defects) {
       ADD_FAILURE() << defect.name << " is not found";
       continue;
     }
-    // A sentence may be withheld, and is never about something else.
+    // The diagnosis may leave a defect unnamed but must never give it a wrong name.
     if (findings.front().kind == "differs") continue;
     ++named;
     EXPECT_THAT(std::string("|") + defect.kind + "|", testing::HasSubstr("|" + findings.front().kind + "|"))
@@ -398,12 +398,12 @@ TEST(Diagnosis, shifts_by_parts_of_a_pixel_are_measured_where_all_of_the_picture
   const std::optional<SubPixelShift> both = shift_of(viewed(right, 0.4, -0.6, 1)),
                                      down = shift_of(viewed(right, 0, 0.5, 1));
   ASSERT_TRUE(both && down);
-  // Slopes over two pixels are a little more than those of an edge that is moved by less than one: up to a quarter.
+  // Slopes over two pixels exceed those of an edge that moves by less than one, by up to a quarter.
   EXPECT_NEAR(both->x, 0.4, 0.1);
   EXPECT_NEAR(both->y, -0.6, 0.15);
   EXPECT_NEAR(down->x, 0, 0.1);
   EXPECT_NEAR(down->y, 0.5, 0.125);
-  // The lower half alone: no camera does that.
+  // The lower half alone is shifted: no camera does that.
   Image half = viewed(right, 0.6, 0, 1);
   std::copy_n(right.rgb.begin(), right.rgb.size() / 2, half.rgb.begin());
   EXPECT_FALSE(shift_of(half));
@@ -423,7 +423,7 @@ TEST(Diagnosis, lazy_values_are_made_once_and_by_one_thread) {
   EXPECT_EQ(made, 2);
 }
 
-// Where values are about 0.43, v / (1 + v) is 0.7 of them to within the tolerance, and so is this picture.
+// For values near 0.43, v / (1 + v) is 0.7 v up to the tolerance, and so is this picture.
 TEST(Diagnosis, a_dimmer_picture_is_no_tone_mapped_one) {
   SceneKnowledge knowledge;
   knowledge.reference = Image(32, 32);

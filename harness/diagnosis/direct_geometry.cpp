@@ -15,7 +15,7 @@ struct Light {
   double power;
 };
 
-/// Each light as nine.
+/// Divides each light into nine.
 std::vector<Light> plain_lights(const SceneDescription& scene) {
   std::vector<Light> lights;
   for (const ShapeDescription& shape : scene.shapes) {
@@ -31,14 +31,14 @@ std::vector<Light> plain_lights(const SceneDescription& scene) {
   return lights;
 }
 
-/// Of the formula, at a surface by the light of one light.
+/// Factors of the formula at a surface point for one light.
 struct Factors {
   double surface, area_light, distance;
 };
 
 struct FormulaRow {
   const char *kind, *sentence, *cause;
-  bool has_unit;  ///< of length: whoever makes the mistake then chooses lights that look right
+  bool has_unit;  ///< The factor has a unit of length: an author with this mistake adjusts the lights.
   double (*factor)(const Factors&);
 };
 constexpr FormulaRow formula_rows[] = {
@@ -62,7 +62,7 @@ constexpr FormulaRow formula_rows[] = {
      false, [](const Factors& f) { return 1 / (f.surface * f.area_light); }},
 };
 
-/// The mean over lights, by how much light they send there.
+/// The mean factor over lights, weighed by the light that each sends there.
 double factor_at(const SeenPlace& point, const std::vector<Light>& lights, const FormulaRow& row) {
   double sum = 0, all = 0;
   for (const Light& area_light : lights) {

@@ -15,8 +15,8 @@ struct DirectMistake {
   Image direct;
 };
 
-/// Each as bright as the right one in the median of what is lit, and those of cosines also as bright as the formula
-/// then says. Empty where lights are not rectangles. `direct` is the right one, of the points' image.
+/// Each image has the right one's brightness in the median of lit points. For cosines there is a second image with the
+/// brightness of the formula. Empty where lights are not rectangles. `direct` is the right image, at these points.
 std::vector<DirectMistake> direct_mistakes(const SceneDescription& scene, const std::vector<SeenPlace>& points,
                                            const Image& direct);
 

@@ -15,7 +15,7 @@ namespace {
 
 struct Match {
   double amount = 0, deviations = 0;
-  double explained = 0;  ///< of the squared difference beyond noise
+  double explained = 0;  ///< Share of the squared difference beyond noise.
 };
 
 class Filter {
@@ -25,7 +25,8 @@ class Filter {
 
   Match match(const Image& changed) const {
     double both = 0, change = 0, all = 0, count = 0;
-    std::vector<std::pair<double, double>> loudest;  // what most agrees, and its part of `change`
+    std::vector<std::pair<double, double>> loudest;  // the values with the largest products, and their parts of
+                                                     // `change`
     for (std::size_t i = 0; i < now_.rgb.size(); ++i) {
       if (!comparison_.counts(i / 3)) continue;
       const double from = comparison_.shown(now_.rgb[i]);
@@ -39,7 +40,7 @@ class Filter {
       all += w * d * d;
       count += 1;
     }
-    // One glint, that another mistake puts out, may look like all of a feature's light.
+    // A single glint that another mistake removes may look like all of a feature's light.
     const auto glint = std::min(glint_values, loudest.size());
     std::partial_sort(loudest.begin(), loudest.begin() + static_cast<std::ptrdiff_t>(glint), loudest.end(),
                       [](const auto& a, const auto& b) { return std::abs(a.first) > std::abs(b.first); });
@@ -56,7 +57,7 @@ class Filter {
     return match;
   }
 
-  /// The squared difference of values, in units of noise, as far as it is above 1.
+  /// Sum of the squared differences in units of noise, as far as they exceed 1.
   double beyond_noise(const std::vector<std::uint8_t>& pixels) const {
     double sum = 0;
     for (std::size_t i = 0; i < now_.rgb.size(); ++i) {
@@ -75,13 +76,13 @@ class Filter {
 };
 
 struct Kind {
-  bool any_amount = false;  ///< light may be too little or too much by any amount; a mistake is made or it is not
+  bool any_amount = false;  ///< The amount of light may be wrong by any factor; else a mistake is fully there or not.
   bool placed = false;
-  double deviations = 12;  ///< from which on it is believed
+  double deviations = 12;  ///< Least deviations for a finding.
 };
 
-/// What is broad may be there for other reasons, too. Nothing else looks like the pattern of waves: right pictures were
-/// seen to have it at 2 deviations at most, and broad changes at 5.
+/// The least deviations of fine patterns. Broad changes may have other reasons, but nothing else looks like the pattern
+/// of waves. Right pictures had at most 2 deviations of it, and 5 of broad changes.
 constexpr double of_fine_patterns = 8;
 
 bool is_there(const Match& m, const Kind& kind) {
@@ -101,8 +102,8 @@ class FaintSearch {
   FaintSearch(const Guess& guess, const SceneKnowledge& knowledge, const Comparison& comparison)
       : guess_(guess), knowledge_(knowledge), comparison_(comparison), filter_(guess, comparison) {}
 
-  /// Whether these pixels (empty: all) differ by so much beyond noise that a mistake there could be told.
-  bool could_be_told(const std::vector<std::uint8_t>& pixels) const { return filter_.beyond_noise(pixels) > 200; }
+  /// Whether these pixels (empty: all) differ so far beyond noise that a mistake there could be found.
+  bool could_be_found(const std::vector<std::uint8_t>& pixels) const { return filter_.beyond_noise(pixels) > 200; }
 
   void look_at_light() {
     const SceneLight& light = knowledge_.light.get();
@@ -110,16 +111,16 @@ class FaintSearch {
       for (const double factor : {-1.0, 1.0})
         look(with_light(plus_change(guess_.light, probe.light, factor), probe.feature),
              {true, probe.feature == "caustic"},
-             [&](double x) { return words_of_feature(probe.feature, std::max(0.0, 1 + factor * x)); });
+             [&](double x) { return feature_finding(probe.feature, std::max(0.0, 1 + factor * x)); });
     for (const WhatIf& formula : light.formulas) look_at_what_if(formula);
     for (const WhatIf& what_if : knowledge_.what_ifs)
-      if (could_be_told(what_if.changes)) look_at_what_if(what_if);
+      if (could_be_found(what_if.changes)) look_at_what_if(what_if);
   }
 
   void look_at_patterns() {
     for (const WhatIf& what_if : knowledge_.what_ifs) {
       if (what_if.fine) look_at_fine(what_if);
-      if (what_if.only_there && could_be_told(what_if.changes)) look_at_what_if(what_if);
+      if (what_if.only_there && could_be_found(what_if.changes)) look_at_what_if(what_if);
     }
   }
 
@@ -141,8 +142,8 @@ class FaintSearch {
     candidate.guess = guess_;
     candidate.guess.shift_x = shift->x;
     candidate.guess.shift_y = shift->y;
-    candidate.said = {words_of_shift(shift->x, shift->y)};
-    candidate.said[0].explained = shift->explained;
+    candidate.findings = {shift_finding(shift->x, shift->y)};
+    candidate.findings[0].explained = shift->explained;
     best_ = std::move(candidate);
   }
 
@@ -163,7 +164,8 @@ class FaintSearch {
     look_at_change(what_if, change_of(what_if.image.get(), model), {what_if.rough});
   }
 
-  /// As it is, and as photons show it that are looked up within a hundredth, or a fiftieth, of the picture's width.
+  /// Looks for the change itself, and as a photon map blurs it that gathers within 1/100 or 1/50 of the picture's
+  /// width.
   void look_at_fine(const WhatIf& what_if) {
     const Image& change = what_if.fine->get();
     if (change.rgb.size() != guess_.light.rgb.size()) return;
@@ -187,8 +189,8 @@ class FaintSearch {
     most_ = worth;
     Candidate candidate;
     candidate.guess = std::move(other);
-    candidate.said = {words(match.amount)};
-    candidate.said[0].explained = std::min(1.0, match.explained);
+    candidate.findings = {words(match.amount)};
+    candidate.findings[0].explained = std::min(1.0, match.explained);
     candidate.placed = kind.placed;
     candidate.local = true;
     best_ = std::move(candidate);
@@ -199,14 +201,14 @@ class FaintSearch {
   const Comparison& comparison_;
   Filter filter_;
   std::optional<Candidate> best_;
-  double most_ = 0;  ///< square of deviations, less where the amount is odd
+  double most_ = 0;  ///< Square of the deviations, reduced where the amount is unusual.
 };
 
 }  // namespace
 
 bool could_hide_a_mistake(const Guess& guess, const SceneKnowledge& knowledge, const Comparison& comparison) {
-  constexpr double too_noisy = 0.03;  // clamping then takes what fireflies bring, as if light were missing
-  return comparison.noise() <= too_noisy && FaintSearch(guess, knowledge, comparison).could_be_told({});
+  constexpr double too_noisy = 0.03;  // above this, clamping removes the light of fireflies, as if it were missing
+  return comparison.noise() <= too_noisy && FaintSearch(guess, knowledge, comparison).could_be_found({});
 }
 
 std::optional<Candidate> faint_mistake(const Guess& guess, const SceneKnowledge& knowledge,

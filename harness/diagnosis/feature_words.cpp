@@ -5,10 +5,10 @@
 
 namespace photonproof::inline harness_diagnosis {
 
-Finding words_of_feature(const std::string& feature, double factor) {
+Finding feature_finding(const std::string& feature, double factor) {
   const bool caustic = feature == "caustic", direct = feature == "direct";
   const std::string name = caustic ? "caustic" : direct ? "direct light" : "indirect light";
-  // Where no caustic photons are, global ones and rays of the gather still bring some light through glass.
+  // Without caustic photons, global ones and gather rays still bring some light through glass.
   if (factor < (caustic ? 0.3 : 0.15)) {
     const char* why = caustic  ? "no caustic photons are shot or looked up"
                       : direct ? "lamps are not sampled, or every shadow ray is blocked"

@@ -27,7 +27,7 @@ std::string factor_text(double factor) {
   return text;
 }
 
-Finding words_of_shift(double x, double y) {
+Finding shift_finding(double x, double y) {
   std::string words;
   const auto add = [&](double by, const char* more, const char* less) {
     if (std::abs(by) < 0.1) return;

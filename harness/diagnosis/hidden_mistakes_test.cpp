@@ -1,4 +1,4 @@
-// Patterns that no bound minds: found where they are there in full, and else not; never named. Renders nothing.
+// Patterns that no bound detects: found only where they are there in full, and never named. Renders nothing.
 
 #include <gtest/gtest.h>
 
@@ -17,12 +17,12 @@ namespace {
 
 constexpr int side = 64;
 
-/// -1 to 1, of no pattern.
+/// Noise from -1 to 1, without a pattern.
 float noise(std::uint64_t seed, std::size_t value) {
   return static_cast<float>(static_cast<double>(splitmix64(seed, value) % 20001) / 10000 - 1);
 }
 
-/// Ripples across the lower half, of a tenth of the light there.
+/// Ripples across the lower half, a tenth of the light there.
 Image ripples(std::uint64_t seed) {
   Image image(side, side);
   for (std::size_t i = image.pixels() / 2; i < image.pixels(); ++i)
@@ -46,7 +46,7 @@ SceneKnowledge with_waves() {
   return knowledge;
 }
 
-/// With noise four times as strong as the pattern is once photons around a pixel and a bit are looked up.
+/// The noise is four times as strong as the pattern is after photons are gathered around each pixel.
 Image submitted(double amount, std::uint64_t pattern, std::uint64_t seed) {
   Image image = level();
   const Image change = blurred(ripples(pattern), 0.02 * side);

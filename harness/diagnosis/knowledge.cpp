@@ -45,7 +45,7 @@ class KnowledgeMaker {
     return light;
   }
 
-  /// Without their images.
+  /// The mistakes without their images.
   std::vector<Mistake> mistakes() const {
     std::vector<bool> visible(scene_.shapes.size());
     for (const SeenPlace& point : points_)
@@ -55,20 +55,20 @@ class KnowledgeMaker {
                    "shadows missing",
                    "no shadow rays are traced: direct light is never blocked",
                    "",
-                   without_bodies(scene_),
+                   without_objects(scene_),
                    {},
                    true});
     return all;
   }
 
-  /// What it changes, with a quarter of the noise.
+  /// The change that the mistake makes, with a quarter of the noise.
   Image fine_change_of(const Mistake& mistake) const {
     OwnRender render = whole();
     render.spp *= 16;
     return resized(change_of(rendered(mistake.scene, render), rendered(scene_, render)), width_, height_);
   }
 
-  /// After light().
+  /// Precondition: light() was called.
   Image image_of(const Mistake& mistake) const {
     if (mistake.direct_only)
       return resized(has_direct() ? with_direct(direct_light(mistake.scene)) : model_, width_, height_);
@@ -106,7 +106,7 @@ class KnowledgeMaker {
     render.more = {"--view", view};
     return rendered(scene, render);
   }
-  /// Light from lights to what is seen, without mirrors and glass.
+  /// Light that goes directly from lights to visible surfaces, without mirrors and glass.
   Image direct_light(const SceneDescription& from) const {
     SceneDescription scene = from;
     PathDescription path;
@@ -137,7 +137,7 @@ class KnowledgeMaker {
     add_probe(light, "caustic", caustic);
     add_probe(light, "indirect", indirect);
     direct_ = direct_light(scene_);
-    // Lights themselves are no direct light that could be lost with it.
+    // The lights' own pixels are no direct light: they stay when direct light is lost.
     for (std::size_t i = 0; i < points_.size(); ++i)
       if (shows_light(i))
         for (std::size_t c = 0; c < 3; ++c) direct_.rgb[3 * i + c] = 0;
@@ -148,7 +148,7 @@ class KnowledgeMaker {
     return std::any_of(shapes.begin(), shapes.end(), [&](std::size_t shape) { return point.object == shape + 1; });
   }
 
-  /// In the pixel or one beside it, whose edge may lie in this one.
+  /// Whether the pixel or a neighbour shows a light: the light's edge may lie in this pixel.
   bool shows_light(std::size_t pixel) const {
     const int x = static_cast<int>(pixel % static_cast<std::size_t>(small_width_)),
               y = static_cast<int>(pixel / static_cast<std::size_t>(small_width_));
@@ -160,13 +160,13 @@ class KnowledgeMaker {
     return false;
   }
 
-  /// The model, but for what differs of direct light where it is seen that no light or body is.
+  /// The model plus the change of direct light, except in pixels that show a light or a body.
   Image with_direct(const Image& other) const {
     Image image = model_;
     for (std::size_t i = 0; i < points_.size(); ++i) {
       if (points_[i].object == 0) continue;
       const ShapeDescription& shape = scene_.shapes[points_[i].object - 1u];
-      if (shows_light(i) || is_body(scene_, shape)) continue;
+      if (shows_light(i) || is_object(scene_, shape)) continue;
       for (std::size_t c = 0; c < 3; ++c)
         image.rgb[3 * i + c] = std::max(0.0f, image.rgb[3 * i + c] + other.rgb[3 * i + c] - direct_.rgb[3 * i + c]);
     }

@@ -1,5 +1,5 @@
-// What diagnose() knows of a scene: its features' light, its objects' places, and how it looks with common mistakes
-// built in. All are rendered by our own engine as processes and kept in a cache folder.
+// The knowledge of a scene for diagnose(): its features' light, its objects' places, and its pictures with common
+// mistakes built in. Our own engine renders all of them as processes, and a cache folder keeps them.
 #pragma once
 
 #include <optional>
@@ -12,13 +12,13 @@
 namespace photonproof::inline harness_diagnosis {
 
 struct KnowledgeOptions {
-  std::optional<float> white = 1;  ///< where pictures are clamped
-  int spp = 64;                    ///< of each probe
-  int longer_side = 128;           ///< pixels of what is rendered; probes are enlarged to the reference's size
-  bool what_ifs = true;            ///< also the pictures with mistakes built in, which take most of the time
+  std::optional<float> white = 1;  ///< The value at which pictures are clamped.
+  int spp = 64;                    ///< Samples a pixel of each probe.
+  int longer_side = 128;           ///< Pixels of a render; probes are enlarged to the reference's size.
+  bool what_ifs = true;            ///< Also the pictures with mistakes built in, which take most of the time.
 };
 
-/// Nothing is rendered yet: what is asked of it is, and throws InputError where a render fails. The engine is copied.
+/// Renders nothing yet: each value is rendered at its first use, which throws InputError on failure. Copies the engine.
 SceneKnowledge knowledge_of(const SceneDescription& scene, const Rendering& reference, const OwnEngine& engine,
                             const KnowledgeOptions& options = {});
 

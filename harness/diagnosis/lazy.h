@@ -1,5 +1,5 @@
-// A value that is made when it is first asked for. Threads may ask side by side: one makes it, the others wait. What
-// its making throws is thrown to everybody who asks.
+// A value that is made at its first use. Several threads may use it at once: one makes it, the others wait. An
+// exception of its making is thrown in all of them.
 #pragma once
 
 #include <exception>
@@ -13,7 +13,7 @@ namespace photonproof::inline harness_diagnosis {
 template <class Value>
 class Lazy {
  public:
-  /// Made by the value's own constructor without arguments.
+  /// Uses the value's own constructor without arguments.
   Lazy() : Lazy(Value()) {}
   explicit Lazy(Value value) : state_(std::make_shared<State>()) {
     state_->make = [kept = std::move(value)]() mutable { return std::move(kept); };
@@ -41,7 +41,7 @@ class Lazy {
     Value value;
     std::exception_ptr error;
   };
-  std::shared_ptr<State> state_;  ///< copies share what is made
+  std::shared_ptr<State> state_;  ///< shared by copies
 };
 
 }  // namespace photonproof::inline harness_diagnosis

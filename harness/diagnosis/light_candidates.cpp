@@ -43,7 +43,7 @@ class LightCandidates {
       const double found = amount;
       for (const double by : {-0.15, -0.08, 0.08, 0.15}) look(std::max(-1.0, found + by * (found > 1 ? 2 : 1)));
       best.guess.used.push_back(probe.feature);
-      best.said = {words_of_feature(probe.feature, 1 + amount)};
+      best.findings = {feature_finding(probe.feature, 1 + amount)};
       best.handicap = std::abs(amount + 1) < 0.1 || std::abs(amount - 1) < 0.1 ? 1.0 : 1.08;
       best.placed = probe.feature == "caustic";
       best.local = true;
@@ -73,13 +73,13 @@ class LightCandidates {
       candidate.guess.used.push_back(what_if.kind + what_if.landmark);
       candidate.left = left_of(candidate.guess);
       candidate.handicap = amount == 1 ? 1 : 1.25;
-      candidate.said = {{what_if.kind, what_if.sentence, what_if.cause, {}, 0}};
+      candidate.findings = {{what_if.kind, what_if.sentence, what_if.cause, {}, 0}};
       candidate.local = true;
       candidates_.push_back(std::move(candidate));
     }
   }
 
-  /// Of the blocks that these pixels lie in; 1 where they are unknown, or the guess is not how the scene is seen.
+  /// The share of the excess in these pixels' blocks. 1 where pixels are unknown, or the guess changes the view.
   double share_of_excess(const std::vector<std::uint8_t>& pixels, const Excess& excess) const {
     const bool as_seen = guess_.turn == 0 && guess_.shift_x == 0 && guess_.shift_y == 0 && guess_.zoom == 1;
     if (pixels.empty() || !as_seen) return 1;
@@ -126,11 +126,12 @@ class LightCandidates {
     if (level < least_ambient) return;
     best.guess.used.push_back("ambient");
     best.handicap = 1.1;
-    best.said = {{"ambient", "everything is brighter by the same amount", "a constant ambient term is added", {}, 0}};
+    best.findings = {
+        {"ambient", "everything is brighter by the same amount", "a constant ambient term is added", {}, 0}};
     candidates_.push_back(std::move(best));
   }
 
-  static constexpr double least_ambient = 0.03;  ///< of white: less is like lighter shadows
+  static constexpr double least_ambient = 0.03;  ///< Fraction of white: less looks like lighter shadows.
   const Guess& guess_;
   const SceneKnowledge& knowledge_;
   const Comparison& comparison_;

@@ -40,14 +40,14 @@ class Mistakes {
       if (!visible_[i]) continue;
       add_without_shadow(i);
       if (std::holds_alternative<HeightfieldDescription>(shape.geometry)) add_water(i);
-      if (!is_body(scene_, shape)) continue;
+      if (!is_object(scene_, shape)) continue;
       if (look_of(scene_, shape) == Look::mirror) add_mirror(i);
       if (look_of(scene_, shape) == Look::glass) add_glass(i);
       const std::string& name = names_[i];
       add("object-missing", "the " + name + " is missing", "it is not in the scene, or no ray tests it", i,
           without(scene_, i));
     }
-    add_missing_bodies();
+    add_missing_objects();
     add_hard_shadows();
     add_swapped_walls();
     add_shared_material();
@@ -81,13 +81,13 @@ class Mistakes {
              "no refracted ray is traced, or depth ends inside", i, black);
     DielectricDescription dull = glass;
     dull.specular_reflectance = RgbD(0.0);
-    // All of the light goes through, that which is reflected head-on among it.
+    // All of the light goes through, including the part reflected head-on.
     const double share = std::pow((glass.int_ior - glass.ext_ior) / (glass.int_ior + glass.ext_ior), 2);
     if (const auto* colour = std::get_if<RgbD>(&glass.specular_transmittance))
       dull.specular_transmittance = *colour * std::min(1 / (1 - share), 1 / max_component(*colour));
     add("glass-without-reflection", name + " reflects nothing, the lamp's image among it",
         "Fresnel's share of reflected light is left out", i, with_material(scene_, i, dull));
-    mistakes_.back().rough = true;  // what goes through flat still lacks what would be reflected
+    mistakes_.back().rough = true;  // light transmitted at flat angles still lacks the reflected part
     add_seen("glass-opaque", name + " is opaque", "it is shaded as a diffuse surface", i,
              DiffuseDescription{RgbD(0.7)});
     DielectricDescription thin = glass;
@@ -119,13 +119,14 @@ class Mistakes {
     }
   }
 
-  /// Of one of several bodies, or of glass without thickness as water: of one alone all shadows are missing.
+  /// For one of several objects, or for thin glass such as water. A single object without a shadow is
+  /// "shadows-missing".
   void add_without_shadow(std::size_t i) {
     const bool is_water = std::holds_alternative<HeightfieldDescription>(scene_.shapes[i].geometry) &&
                           look_of(scene_, scene_.shapes[i]) == Look::glass;
-    std::size_t bodies = 0;
-    for (const ShapeDescription& shape : scene_.shapes) bodies += is_body(scene_, shape) ? 1 : 0;
-    if (!is_water && (!is_body(scene_, scene_.shapes[i]) || bodies < 2)) return;
+    std::size_t objects = 0;
+    for (const ShapeDescription& shape : scene_.shapes) objects += is_object(scene_, shape) ? 1 : 0;
+    if (!is_water && (!is_object(scene_, scene_.shapes[i]) || objects < 2)) return;
     mistakes_.push_back({"shadow-missing",
                          "the " + names_[i] + " casts no shadow",
                          "shadow rays pass it, as if nothing were there",
@@ -145,25 +146,25 @@ class Mistakes {
     add("lamp-missing", "the " + names_[i] + " gives no light", "only some of the lamps are sampled", i, dark);
   }
 
-  /// All that are seen, where there are several.
-  void add_missing_bodies() {
-    std::vector<std::size_t> bodies;
+  /// For all visible objects, where there are several.
+  void add_missing_objects() {
+    std::vector<std::size_t> objects;
     std::string names;
     for (std::size_t i = 0; i < scene_.shapes.size(); ++i)
-      if (visible_[i] && is_body(scene_, scene_.shapes[i])) bodies.push_back(i);
-    if (bodies.size() < 2) return;
-    for (std::size_t k = 0; k < bodies.size(); ++k)
-      names += (k == 0 ? "" : k + 1 == bodies.size() ? " and " : ", ") + ("the " + names_[bodies[k]]);
+      if (visible_[i] && is_object(scene_, scene_.shapes[i])) objects.push_back(i);
+    if (objects.size() < 2) return;
+    for (std::size_t k = 0; k < objects.size(); ++k)
+      names += (k == 0 ? "" : k + 1 == objects.size() ? " and " : ", ") + ("the " + names_[objects[k]]);
     mistakes_.push_back({"objects-missing",
                          names + " are missing",
                          "no ray finds them: the first hit is taken and not the nearest, or they are not in the scene",
                          "",
-                         without_bodies(scene_),
+                         without_objects(scene_),
                          {}});
-    mistakes_.back().changes = bodies;
+    mistakes_.back().changes = objects;
   }
 
-  /// A quarter of a light, at one of its corners, with the power of all of it.
+  /// A quarter of a light, at one of its corners, with the power of the whole light.
   void add_light_parts(std::size_t i) {
     const ShapeDescription& light = scene_.shapes[i];
     if (!std::holds_alternative<RectangleDescription>(light.geometry) || !std::holds_alternative<RgbD>(*light.radiance))
@@ -184,7 +185,7 @@ class Mistakes {
       }
   }
 
-  /// Lights of a tenth of their size and the same power.
+  /// Lights of a tenth of their size with the same power.
   void add_hard_shadows() {
     SceneDescription small = scene_;
     bool any = false;
@@ -223,7 +224,7 @@ class Mistakes {
       }
   }
 
-  /// That of the first diffuse surface for all others.
+  /// The material of the first diffuse surface on all others.
   void add_shared_material() {
     std::optional<BsdfIndex> shared;
     bool differ = false;
@@ -256,7 +257,7 @@ class Mistakes {
 
 }  // namespace
 
-bool is_body(const SceneDescription& scene, const ShapeDescription& shape) {
+bool is_object(const SceneDescription& scene, const ShapeDescription& shape) {
   if (shape.radiance) return false;
   return std::visit(
       Overloaded{[](const SphereDescription&) { return true; }, [](const CubeDescription&) { return true; },
@@ -268,9 +269,9 @@ bool is_body(const SceneDescription& scene, const ShapeDescription& shape) {
       shape.geometry);
 }
 
-SceneDescription without_bodies(const SceneDescription& scene) {
+SceneDescription without_objects(const SceneDescription& scene) {
   SceneDescription empty = scene;
-  std::erase_if(empty.shapes, [&](const ShapeDescription& shape) { return is_body(scene, shape); });
+  std::erase_if(empty.shapes, [&](const ShapeDescription& shape) { return is_object(scene, shape); });
   return empty;
 }
 

@@ -17,8 +17,8 @@ class PictureCandidates {
   PictureCandidates(const Guess& guess, const Comparison& comparison, double left, std::vector<Candidate>& candidates)
       : guess_(guess), comparison_(comparison), left_(left), candidates_(candidates) {}
 
-  /// Turned, with other channels, other values, and all of it at once. Of a thousand those are kept that explain nearly
-  /// all, and of those that change as many things the best.
+  /// Changes one property: the turn, the channels or the values. It keeps all combinations that explain nearly all of
+  /// the difference, and the best of the others.
   void add_combinations() {
     std::vector<Combination> combinations = combinations_now();
     const Image picture = predicted(arranged(0, 0, 0), comparison_.white());
@@ -28,7 +28,7 @@ class PictureCandidates {
       for (Combination& c : combinations)
         if (c.tone == tone) c.left = totals.total(c.turn, c.channels, left_);
     }
-    std::array<double, 4> least;  // by how many things change
+    std::array<double, 4> least;  // by number of changed properties
     least.fill(left_);
     for (const Combination& c : combinations) least[c.changed] = std::min(least[c.changed], c.left);
     for (const Combination& c : combinations)
@@ -93,7 +93,7 @@ class PictureCandidates {
     push_zoom(best, left);
   }
 
-  /// Pixels that were stored in rows of another length than they are read in, from the first row on or from the last.
+  /// Pixels stored in rows of a different length than they are read in, from the first row on or from the last.
   void add_strides() {
     if (guess_.turn + guess_.channels + guess_.tone != 0 || comparison_.height() < 16) return;
     for (const int longer : {-4, -3, -2, -1, 1, 2, 3, 4})
@@ -122,12 +122,13 @@ class PictureCandidates {
   }
 
  private:
-  /// What is no use is not pushed.
+  /// Adds the candidate unless it is useless.
   void push(const Guess& guess, double handicap, const Finding& finding, bool local = false) {
     constexpr double useless = 2;  // times what is left without it
     const double left = comparison_.total(predicted(guess, comparison_.white()), useless * left_);
     if (std::isfinite(left))
-      candidates_.push_back({.guess = guess, .left = left, .handicap = handicap, .said = {finding}, .local = local});
+      candidates_.push_back(
+          {.guess = guess, .left = left, .handicap = handicap, .findings = {finding}, .local = local});
   }
 
   struct Combination {
@@ -144,15 +145,15 @@ class PictureCandidates {
           const std::size_t changed =
               std::size_t{turn != guess_.turn} + (channels != guess_.channels) + (tone != guess_.tone);
           const bool says =
-              is_said(turn, guess_.turn) || is_said(channels, guess_.channels) || is_said(tone, guess_.tone);
+              is_named(turn, guess_.turn) || is_named(channels, guess_.channels) || is_named(tone, guess_.tone);
           if (says && changed == 1) combinations.push_back({turn, channels, tone, changed, left_});
         }
     }
     return combinations;
   }
 
-  /// To have nothing done any more is no mistake.
-  static bool is_said(std::size_t now, std::size_t before) { return now != before && now != 0; }
+  /// The unchanged row 0 is no mistake.
+  static bool is_named(std::size_t now, std::size_t before) { return now != before && now != 0; }
 
   Guess arranged(std::size_t turn, std::size_t channels, std::size_t tone) const {
     Guess guess = guess_;
@@ -165,7 +166,7 @@ class PictureCandidates {
   void add_combination(const Combination& c) {
     Candidate candidate{arranged(c.turn, c.channels, c.tone), c.left, std::pow(1.15, c.changed)};
     const auto say = [&](std::size_t now, std::size_t before, const auto& row) {
-      if (is_said(now, before)) candidate.said.push_back({row.kind, row.sentence, row.cause, {}, 0});
+      if (is_named(now, before)) candidate.findings.push_back({row.kind, row.sentence, row.cause, {}, 0});
     };
     say(c.turn, guess_.turn, turn_rows()[c.turn]);
     say(c.channels, guess_.channels, channel_rows()[c.channels]);
@@ -196,7 +197,7 @@ class PictureCandidates {
 
   void push_shift(const Guess& best, double left) {
     if (best.shift_x == 0 && best.shift_y == 0) return;
-    candidates_.push_back({best, left, 1.15, {words_of_shift(best.shift_x, best.shift_y)}});
+    candidates_.push_back({best, left, 1.15, {shift_finding(best.shift_x, best.shift_y)}});
   }
 
   void push_zoom(const Guess& best, double left) {
@@ -215,7 +216,7 @@ class PictureCandidates {
 
   const Guess& guess_;
   const Comparison& comparison_;
-  double left_;  ///< by the guess
+  double left_;  ///< Excess that the guess leaves.
   std::vector<Candidate>& candidates_;
 };
 

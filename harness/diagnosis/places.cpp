@@ -10,7 +10,7 @@ namespace {
 
 struct Spread {
   double total = 0, x = 0, y = 0;  ///< the middle, pixels
-  double share = 0;                ///< of the image that it spreads over
+  double share = 0;                ///< share of the image that it covers
 };
 
 Spread spread_of(const std::vector<double>& weight, int width) {
@@ -28,7 +28,7 @@ Spread spread_of(const std::vector<double>& weight, int width) {
   if (!(spread.total > 0)) return spread;
   spread.x /= spread.total;
   spread.y /= spread.total;
-  // What is even over a side s has the variance s^2 / 12.
+  // An even distribution over a side s has the variance s^2 / 12.
   const double wide = std::sqrt(12 * std::max(0.1, xx / spread.total - spread.x * spread.x));
   const double high = std::sqrt(12 * std::max(0.1, yy / spread.total - spread.y * spread.y));
   spread.share = wide * high / static_cast<double>(weight.size());
@@ -37,16 +37,16 @@ Spread spread_of(const std::vector<double>& weight, int width) {
 
 std::string on(const std::string& name) {
   const bool inside =
-      names_body(name) && (name.find("glass") != std::string::npos || name.find("mirror") != std::string::npos);
+      names_object(name) && (name.find("glass") != std::string::npos || name.find("mirror") != std::string::npos);
   return (inside ? "in the " : "on the ") + name;
 }
 
-/// On the floor, wall or water, words say beside which body.
-std::string near_body(const Spread& spread, const SceneKnowledge& knowledge) {
+/// The body beside a place on the floor, a wall or water, in words.
+std::string near_object(const Spread& spread, const SceneKnowledge& knowledge) {
   const Landmark* nearest = nullptr;
   double least = 2.6;  // radii
   for (const Landmark& mark : knowledge.landmarks) {
-    if (!names_body(mark.name)) continue;
+    if (!names_object(mark.name)) continue;
     const double away = std::hypot(spread.x - mark.x, spread.y - mark.y) / std::max(1.0, mark.radius);
     if (away < least) {
       least = away;
@@ -61,7 +61,7 @@ std::string near_body(const Spread& spread, const SceneKnowledge& knowledge) {
 
 }  // namespace
 
-bool names_body(const std::string& name) {
+bool names_object(const std::string& name) {
   for (const char* word : {"sphere", "box", "object"})
     if (name.ends_with(word)) return true;
   return false;
@@ -85,9 +85,9 @@ std::string place_of(const std::vector<double>& weight, int width, int height, c
     const auto most = std::max_element(inside.begin() + 1, inside.end());
     const std::string& name = knowledge.landmarks[static_cast<std::size_t>(most - inside.begin()) - 1].name;
     const bool mostly = *most > 0.6 * spread.total;
-    if (mostly && names_body(name)) return on(name);
+    if (mostly && names_object(name)) return on(name);
     if (spread.share < 0.12) {
-      const std::string beside = near_body(spread, knowledge);
+      const std::string beside = near_object(spread, knowledge);
       if (!beside.empty()) return beside;
     }
     if (mostly) return on(name);

@@ -1,4 +1,4 @@
-// Where something is in a picture, in words: by what the scene shows there.
+// The place of something in a picture, in words, from the objects that the scene shows there.
 #pragma once
 
 #include <string>
@@ -9,17 +9,17 @@
 namespace photonproof::inline harness_diagnosis {
 
 /// "below the glass sphere", "on the left wall", "in the mirror sphere", "in the lower right corner"; empty where it is
-/// everywhere. `weight`: a pixel, how much of it is there, of an image of this size, which `knowledge.seen` has, too,
-/// or words go by the image's parts alone.
+/// everywhere. `weight`: for each pixel, the amount there. `knowledge.seen` has the image's size, too; otherwise the
+/// words name only parts of the image.
 std::string place_of(const std::vector<double>& weight, int width, int height, const SceneKnowledge& knowledge);
 
-/// Whether a landmark of this name is a body in the room, and none of its walls, lights or waters.
-bool names_body(const std::string& name);
+/// Whether a landmark of this name is a body in the room, and not a wall, a light or water.
+bool names_object(const std::string& name);
 
 /// The least rectangle with nine tenths of the weight.
 PixelRegion region_of(const std::vector<double>& weight, int width, int height);
 
-/// "lower right corner", "middle", of a point.
+/// The part of the image around a point: "lower right corner", "middle".
 std::string part_of_image(double x, double y, int width, int height);
 
 }  // namespace photonproof::inline harness_diagnosis

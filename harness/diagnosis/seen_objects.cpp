@@ -87,7 +87,7 @@ std::optional<Hit> hit_shape(const ShapeDescription& shape, const LocalRay& ray)
       shape.geometry);
 }
 
-/// Normals go by the inverse transpose.
+/// Normals transform by the inverse transpose.
 Vec3d normal_of(const Transform& inverse, const Vec3d& n) {
   const auto& m = inverse.m;
   return normalize(Vec3d{m[0] * n.x + m[4] * n.y + m[8] * n.z, m[1] * n.x + m[5] * n.y + m[9] * n.z,
@@ -111,7 +111,7 @@ SeenPlace first_seen(const SceneDescription& scene, const std::vector<Transform>
   return seen;
 }
 
-/// In the camera's view, whose x points left.
+/// The wall's name in the camera's view, whose x points left.
 std::string wall_name(const SceneDescription& scene, const ShapeDescription& shape) {
   const std::optional<Transform> to_camera = scene.sensor.to_world.inverse();
   if (!to_camera) return "wall";
@@ -120,7 +120,7 @@ std::string wall_name(const SceneDescription& scene, const ShapeDescription& sha
   const Vec3d a{std::abs(n.x), std::abs(n.y), std::abs(n.z)};
   if (a.y >= a.x && a.y >= a.z) return middle.y < 0 ? "floor" : "ceiling";
   if (a.x >= a.z) return middle.x > 0 ? "left wall" : "right wall";
-  return n.z < 0 ? "back wall" : "front wall";  // as its front faces the camera, or not
+  return n.z < 0 ? "back wall" : "front wall";  // by whether its front faces the camera
 }
 
 std::string plain_object_name(const SceneDescription& scene, const ShapeDescription& shape) {

@@ -1,4 +1,4 @@
-// Mistakes that students were seen to make, in pictures that are made without what diagnosis itself renders of them.
+// Mistakes that students have made, in pictures made without the renders of the diagnosis itself.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -39,7 +39,7 @@ class StudentMistakes : public testing::Test {
     change(scene);
     return rendered(scene, 22);
   }
-  /// What lights send straight to walls, by paths.
+  /// Light that goes directly from lights to walls, by path tracing.
   static Image direct(const SceneDescription& from) {
     SceneDescription scene = from;
     PathDescription path;
@@ -49,7 +49,7 @@ class StudentMistakes : public testing::Test {
     render.integrator = "";
     return test_render(scene, render);
   }
-  /// Right, but for direct light on walls, which is this scene's.
+  /// The right picture, except that direct light on walls is the changed scene's.
   static Image with_direct_of(const std::function<void(SceneDescription&)>& change) {
     SceneDescription scene = test_scene("course-1");
     const Image before = direct(scene);
@@ -78,7 +78,7 @@ class StudentMistakes : public testing::Test {
     const std::vector<Finding> findings = diagnose(as_bytes(image), known());
     ASSERT_FALSE(findings.empty()) << kind;
     EXPECT_EQ(findings.size(), 1u) << text_of(findings);
-    // A sentence may be withheld, and is never about something else.
+    // The diagnosis may leave a mistake unnamed but must never give it a wrong name.
     if (findings.front().kind == "differs" && kind != "differs") return;
     EXPECT_EQ(findings.front().kind, kind) << text_of(findings);
     EXPECT_THAT(findings.front().sentence, testing::HasSubstr(part)) << text_of(findings);
@@ -87,7 +87,7 @@ class StudentMistakes : public testing::Test {
 
 TEST_F(StudentMistakes, rows_of_another_length_slant_the_image) {
   const Image image = right();
-  // Row y begins at y * 71, and so shows y pixels of the row above first: each row further right.
+  // Row y begins at y * 71, and so first shows y pixels of the row above: each row is further right.
   for (const auto& [length, first, words] : {std::tuple(side_ - 1, 0, "1 pixel further right than the one above"),
                                              std::tuple(side_ + 2, 0, "2 pixels further left than the one above"),
                                              std::tuple(side_ - 1, side_ - 1, "1 pixel further right")}) {
@@ -118,7 +118,7 @@ TEST_F(StudentMistakes, glass_without_fresnel_reflects_nothing) {
   expect_first(with([](SceneDescription& scene) {
                  DielectricDescription glass = glass_of(scene);
                  glass.specular_reflectance = RgbD(0.0);
-                 glass.specular_transmittance = RgbD(0.95);  // all goes through, but for the glass's colour
+                 glass.specular_transmittance = RgbD(0.95);  // all goes through, except for the glass's colour
                  set_material(scene, "glass", glass);
                }),
                "glass-without-reflection", "the glass sphere reflects nothing");
@@ -176,7 +176,7 @@ TEST_F(StudentMistakes, all_that_is_missing_is_one_sentence) {
 
 TEST_F(StudentMistakes, what_nothing_explains_is_shown_and_not_named) {
   Image image = right();
-  // Colours of nothing in the room, in squares of 4 x 4 pixels.
+  // Colours that nothing in the room has, in squares of 4 x 4 pixels.
   for (std::size_t i = 0; i < image.pixels(); ++i)
     if (sees(i, "mirror sphere"))
       for (std::size_t c = 0; c < 3; ++c)

@@ -36,7 +36,7 @@ struct Normal {
   }
 };
 
-/// Of the four quarters of the picture.
+/// Sums for the four quarters of the picture.
 std::array<Normal, 4> quarters_of(const Image& expected, const Comparison& comparison) {
   std::array<Normal, 4> quarters;
   const int width = comparison.width(), height = comparison.height();
@@ -52,7 +52,7 @@ std::array<Normal, 4> quarters_of(const Image& expected, const Comparison& compa
         const double gx = (shown(x - 1, y, c) - shown(x + 1, y, c)) / 2;
         const double gy = (shown(x, y - 1, c) - shown(x, y + 1, c)) / 2;
         const double d = comparison.shown(comparison.submitted().rgb[i]) - shown(x, y, c);
-        if (gx * gx + gy * gy < least) continue;  // noise alone, which would make the shift look less than it is
+        if (gx * gx + gy * gy < least) continue;  // noise alone, which would make the shift look smaller
         if (!std::isfinite(gx) || !std::isfinite(gy) || !std::isfinite(d)) continue;
         quarters[static_cast<std::size_t>(2 * (2 * y >= height) + (2 * x >= width))].add(gx, gy, d,
                                                                                          1 / comparison.variance_at(i));
@@ -73,7 +73,7 @@ std::optional<SubPixelShift> sub_pixel_shift(const Image& expected, const Compar
   const auto [x, y] = all.solved();
   const double size = std::hypot(x, y);
   if (size < 0.3 || size > 1.5) return std::nullopt;
-  // Each half of the picture by itself says much the same.
+  // Each half of the picture by itself must give nearly the same shift.
   constexpr std::array<std::array<std::size_t, 2>, 4> halves{{{0, 1}, {2, 3}, {0, 2}, {1, 3}}};
   for (const auto& [one, other] : halves) {
     Normal half = quarters[one];

@@ -1,4 +1,4 @@
-// Pictures as submissions have them, right and with defects, of library scenes.
+// Pictures of library scenes as submissions draw them, right and with defects.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@
 
 namespace photonproof::inline harness_diagnosis {
 
-/// Renderings are kept beside the program, for all tests: each is a process.
+/// Our engine. Its renderings, each by a process, are kept beside the program for all tests.
 inline OwnEngine test_engine() {
   OwnEngine engine;
   engine.program = PHOTONPROOF_BINARY;
@@ -32,7 +32,7 @@ inline Image test_render(const SceneDescription& scene, const OwnRender& render)
   return render_with(test_engine(), scene, render).mean;
 }
 
-/// As a BMP has it: clamped to white and rounded to 8 bits.
+/// The image as in a BMP: clamped to white and rounded to 8 bits.
 inline Image as_bytes(Image image) {
   for (float& v : image.rgb)
     if (std::isfinite(v)) v = std::round(std::min(1.0f, std::max(0.0f, v)) * 255) / 255;

@@ -16,7 +16,7 @@ namespace photonproof::inline harness_diagnosis {
 
 namespace {
 
-/// The deviation of a pixel's noise, in units of Comparison::shown(): by the median difference of a value from the
+/// The deviation of a pixel's noise, in units of Comparison::shown(). It uses the median difference of a value from the
 /// middle of its four neighbours, which single black or bright pixels do not change. For normal noise of deviation 1,
 /// that difference has deviation sqrt(1 + 0.3), and its absolute value the median 0.77.
 double grain_of(const Comparison& comparison, const Image& image) {
@@ -41,7 +41,7 @@ std::optional<Finding> find_noise(const Comparison& comparison, const SceneKnowl
   const auto times = [noise](double other) { return noise / std::max(other, 0.004); };
   std::string sentence;
   if (knowledge.baseline) {
-    // One render beside one render: the reference is a mean of many. Variance falls as 1/samples.
+    // The baseline is one render, too; the reference is a mean of many. Variance falls as 1/samples.
     const double ratio = times(grain_of(comparison, *knowledge.baseline));
     sentence = fmt::format("noisy: about {} times the baseline's noise", factor_text(ratio));
     if (ratio * ratio >= 1.5) sentence += fmt::format(", as with 1/{:.0f} of its samples", ratio * ratio);

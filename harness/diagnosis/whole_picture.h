@@ -1,4 +1,4 @@
-// What concerns the picture as a whole and is no change of it: noise.
+// A defect of the picture as a whole that is no change of it: noise.
 #pragma once
 
 #include <optional>
@@ -8,7 +8,7 @@
 
 namespace photonproof::inline harness_diagnosis {
 
-/// Where the picture's noise is large, and far above the reference's.
+/// A finding where the picture's noise is large, and far above the reference's.
 std::optional<Finding> find_noise(const Comparison& comparison, const SceneKnowledge& knowledge);
 
 }  // namespace photonproof::inline harness_diagnosis

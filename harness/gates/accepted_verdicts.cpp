@@ -24,8 +24,9 @@ std::string checksum_of(const Image& image) {
   return size_text(image.width, image.height) + " " + checksum.hex();
 }
 
-/// All that a gate is, so that no member is forgotten: a pass would be kept for another value of it. The scene is known
-/// by the reference; whom images are from, and the metric's parameters, which the scene shares, are told apart.
+/// Lists all members of a gate, so that none is forgotten: else a pass would be kept for another value of it. The
+/// reference identifies the scene. The images' origin and the metric's parameters, which the scene shares, are keyed
+/// separately.
 std::string settings_of(const Gate& gate) {
   const auto& [name, scene, engine, budget, metric, bound, block_bound, alpha, seeds, looks, takes_seed, unbiased,
                parameters] = gate;
@@ -63,7 +64,7 @@ std::optional<Results> find_accepted(const std::string& key) {
     Results kept = read_results(file_of(key).string());
     if (kept.gates.size() == 1 && kept.gates[0].verdict == GateVerdict::pass) return kept;
   } catch (const InputError&) {
-    // Not there, or damaged: the same to us as never accepted.
+    // A missing or damaged record counts as never accepted.
   }
   return std::nullopt;
 }

@@ -1,4 +1,4 @@
-// What the harness's faults do (scenes/base/faults.h): to the images that gates get, and to what they make of them.
+// The effects of the harness's faults (scenes/base/faults.h) on the images that gates get, and on their verdicts.
 #include <algorithm>
 #include <cmath>
 #include <sstream>
@@ -16,7 +16,7 @@ class FaultsOfHarness : public FakeGateTest {
   void SetUp() override {
     FakeGateTest::SetUp();
     std::string suite = gates_text(gate("good", "agreement", 0.05)), logging = gate_script;
-    // Seed and amount of each image.
+    // Adds seed and amount of each image to the log.
     for (std::string::size_type at = 0; (at = suite.find("'{scene}']", at)) != std::string::npos; at += 20)
       suite.replace(at, 10, "'{scene}', '{amount}']");
     logging.replace(logging.find("$1 $4"), 5, "$4 $6");
@@ -25,7 +25,7 @@ class FaultsOfHarness : public FakeGateTest {
     put_reference();
   }
 
-  /// Four images, as gates get them.
+  /// Draws four images as gates get them.
   std::vector<Image> draw() const {
     std::filesystem::remove(folder_ / "log");
     const GateSuite suite = read_gate_suite(folder_ / "gates.toml");
@@ -93,7 +93,7 @@ TEST_F(FaultsOfHarness, upside_down_reverses_the_rows) {
           ASSERT_EQ(turned[i].pixel(x, y)[c], right[i].pixel(x, height - 1 - y)[c]) << i << " " << x << " " << y;
 }
 
-// Green is 0.1 brighter than red, blue 0.2, everywhere.
+// Green is 0.1 brighter than red everywhere, and blue 0.2.
 TEST_F(FaultsOfHarness, red_for_all_finds_green_and_blue_as_dark_as_red) {
   const std::vector<Image> images = draw();
   const Deviations right = deviations(images);

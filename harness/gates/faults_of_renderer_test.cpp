@@ -1,5 +1,5 @@
-// What the renderer's faults do to an image (scenes/base/faults.h): a closed form, or the image of a sound program that
-// is told the mistake.
+// The effects of the renderer's faults (scenes/base/faults.h) on an image. The expected image is a closed form, or that
+// of a sound program with the mistake in its scene.
 
 #include <algorithm>
 #include <cmath>
@@ -13,7 +13,7 @@ namespace {
 
 using std::numbers::pi;
 
-/// By Simpson's rule.
+/// The integral by Simpson's rule.
 double integral(double from, double to, const std::function<double(double)>& f) {
   constexpr int steps = 2000;
   const double width = (to - from) / steps;
@@ -24,7 +24,7 @@ double integral(double from, double to, const std::function<double(double)>& f) 
 
 class FaultsOfRenderer : public FaultyProgramTest {
  protected:
-  /// Image by image and value by value within `relative` of the expected one's largest.
+  /// Every value must be within `relative` times the largest expected value of its expected one.
   static void expect_near(const Image& image, const Image& expected, double relative, const std::string& what) {
     ASSERT_EQ(image.rgb.size(), expected.rgb.size()) << what;
     ASSERT_FALSE(expected.rgb.empty()) << what;
@@ -33,7 +33,7 @@ class FaultsOfRenderer : public FaultyProgramTest {
     for (std::size_t i = 0; i < image.rgb.size(); ++i)
       ASSERT_NEAR(image.rgb[i], expected.rgb[i], relative * scale) << what << " at value " << i;
   }
-  /// Of a sound image, so that the scene is seen to show the fault.
+  /// The image must differ from a sound one, which proves that the scene shows the fault.
   static void expect_other(const Image& sound_image, const Image& faulty_image, double least, const std::string& what) {
     ASSERT_EQ(sound_image.rgb.size(), faulty_image.rgb.size()) << what;
     double difference = 0;
@@ -41,7 +41,7 @@ class FaultsOfRenderer : public FaultyProgramTest {
       difference += std::abs(double{sound_image.rgb[i]} - double{faulty_image.rgb[i]});
     EXPECT_GT(difference, least * sum(sound_image)) << what;
   }
-  /// The fault on `scene` is, to the bit, what the sound program makes of `mistaken`, and not of `scene`.
+  /// The fault on `scene` must give, bit for bit, the sound program's image of `mistaken`, and not that of `scene`.
   void expect_same_as(const std::string& fault, const std::string& scene, const std::string& mistaken,
                       const std::vector<std::string>& options) const {
     const Image image = render(faulty, fault, scene, options);
@@ -49,7 +49,7 @@ class FaultsOfRenderer : public FaultyProgramTest {
     expect_other(render(sound, "", scene, options), image, 0.001, fault);
   }
 
-  /// A wall whose light comes from a light by a mirror, so that the photon mapper sees nothing but caustic photons.
+  /// A wall whose light comes from a light by a mirror, so that all photons on it are caustic ones.
   std::string put_wall_by_mirror() const {
     return put_scene("mirror.xml",
                      R"(photonmapper"><integer name="max_depth" value="3"/><float name="global_radius" value="0.3"/>
@@ -64,21 +64,21 @@ class FaultsOfRenderer : public FaultyProgramTest {
   }
 };
 
-// Cosine mu; light of a sphere around has density p = 1/4pi, the surface believes in mu/pi. The power heuristic gives
-// lights the share w = 1/(1 + 16 mu^2), so that a wall of albedo r under a sky of 1 shows
+// Cosine mu: light of a surrounding sphere has the sampling density p = 1/4pi, the surface's weight assumes mu/pi. The
+// power heuristic gives lights the share w = 1/(1 + 16 mu^2). For sky 1 and albedo r the wall shows
 //   r integral from 0 to 1 of [2 mu w + (1 - w)] = r (ln(17)/16 + 1 - atan(4)/4).
 TEST_F(FaultsOfRenderer, uniform_diffuse_takes_light_evenly) {
   const std::string scene =
       put_scene("scene.xml", R"(path"><integer name="max_depth" value="2"/>)", wall(grey(0.5)) + sky(1));
   const std::vector<std::string> options{"--spp", "256"};
-  // 65536 samples of less than 0.3 spread: 0.0012 are a deviation.
+  // 65536 samples, each with a spread below 0.3, have a deviation of 0.0012.
   EXPECT_NEAR(mean(render(sound, "", scene, options)), 0.5, 0.004);
   EXPECT_NEAR(mean(render(faulty, "uniform-diffuse", scene, options)),
               0.5 * (std::log(17.0) / 16 + 1 - std::atan(4.0) / 4), 0.004);
 }
 
-// The photon mapper's direct light stands alone: nine tenths of the light's width with a density of all of it is a
-// light of nine tenths whose radiance is ten ninths.
+// The test has only the photon mapper's direct light. Sampling nine tenths of the light's width with the density of the
+// whole light equals a light of nine tenths whose radiance is ten ninths.
 TEST_F(FaultsOfRenderer, part_of_light_is_a_smaller_and_brighter_light) {
   const auto put_light = [&](const std::string& name, const std::string& part, double radiance) {
     return put_scene(name, R"(photonmapper"><integer name="max_depth" value="2"/>)",
@@ -95,9 +95,9 @@ TEST_F(FaultsOfRenderer, part_of_light_is_a_smaller_and_brighter_light) {
   expect_other(render(sound, "", light, options), image, 0.001, "part-of-lamp");
 }
 
-// A ball straight above a point fills a cone whose sine is 1/2. Sampled over the cone's solid angle it has a density of
-// p = 1/(2 pi (1 - cos)), and what is hit, of density mu/pi, should weigh w = 1/(1 + (p pi/mu)^2) of it. With both in
-// full, the point shows r integral over 2 mu of (1 - w) + 1.
+// A ball straight above a point fills a cone whose sine is 1/2. Samples over the cone's solid angle have the density p
+// = 1/(2 pi (1 - cos)). Paths that hit it, of density mu/pi, should have the weight w = 1/(1 + (p pi/mu)^2). With both
+// in full, the point shows r integral over 2 mu of (1 - w) + 1.
 TEST_F(FaultsOfRenderer, unweighted_hits_count_lights_twice) {
   const std::string scene = put_scene(
       "scene.xml", R"(path"><integer name="max_depth" value="2"/><boolean name="hide_emitters" value="false"/>)",
@@ -111,19 +111,19 @@ TEST_F(FaultsOfRenderer, unweighted_hits_count_lights_twice) {
     const double weight_of_hits = 1 / (1 + std::pow(p * pi / mu, 2));
     return 0.5 * 2 * mu * (2 - weight_of_hits);
   });
-  // Of albedo 0.5 and a projected share of 1/4 of the sky. A quarter of the samples hit: 0.22 / 256 are a deviation.
+  // The albedo is 0.5, the projected share of the sky 1/4. A quarter of the samples hit: the deviation is 0.22 / 256.
   EXPECT_NEAR(mean(render(sound, "", scene, options)), 0.125, 0.003);
   EXPECT_NEAR(mean(render(faulty, "unweighted-hits", scene, options)), expected, 0.003);
 }
 
 TEST_F(FaultsOfRenderer, unpaid_roulette_loses_what_it_ends) {
-  // A mirror of 1/2 under a sky of 1: half of the paths go on, with a half each.
+  // A mirror of 1/2 under a sky of 1: half of the paths continue, with a weight of a half each.
   const std::string scene = put_scene("scene.xml", R"(path"><integer name="rr_depth" value="1"/>)",
                                       wall(R"(<bsdf type="conductor"><string name="material" value="none"/>
            <rgb name="specular_reflectance" value="0.5"/></bsdf>)") +
                                           sky(1));
   const std::vector<std::string> options{"--spp", "256"};
-  // 65536 samples of 0 or 1: 0.002 are a deviation.
+  // 65536 samples of 0 or 1 have a deviation of 0.002.
   EXPECT_NEAR(mean(render(sound, "", scene, options)), 0.5, 0.006);
   EXPECT_NEAR(mean(render(faulty, "unpaid-roulette", scene, options)), 0.25, 0.006);
 }
@@ -136,14 +136,14 @@ TEST_F(FaultsOfRenderer, dim_caustic_and_density_radius_scale_what_photons_bring
   for (const auto& [fault, factor] : {std::pair{"dim-caustic", 0.95}, {"density-radius", 1 / 1.21}}) {
     Image expected = right;
     for (float& value : expected.rgb) value = static_cast<float>(value * factor);
-    // Some float operations, and the disc's area in floats.
+    // The tolerance covers some float operations, and the disc's area in floats.
     expect_near(render(faulty, fault, scene, options), expected, 1e-5, fault);
   }
 }
 
 TEST_F(FaultsOfRenderer, same_photons_land_where_those_of_seed_1_do) {
   const std::string scene = put_wall_by_mirror();
-  // One sample in each pixel's middle: nothing but the photons is random.
+  // One sample in each pixel's middle: only the photons are random.
   const std::vector<std::string> options{"--spp", "1", "--grid", "1"};
   const Image of_seed_5 = render(faulty, "same-photons", scene, options), right = render(sound, "", scene, options);
   expect_other(right, of_seed_5, 0.001, "same-photons");
@@ -175,7 +175,7 @@ TEST_F(FaultsOfRenderer, wide_filter_is_one_of_larger_deviation) {
   const std::vector<std::string> options{"--spp", "16"};
   const Image image = render(faulty, "wide-filter", narrow, options), expected = render(sound, "", wide, options);
   expect_other(render(sound, "", narrow, options), image, 0.01, "wide-filter");
-  // The same samples but for roundings, by which one beside an edge of the board may fall on its other side.
+  // The samples are the same up to rounding, which may move one beside an edge of the board to its other side.
   double difference = 0;
   for (std::size_t i = 0; i < image.rgb.size(); ++i) difference += std::abs(image.rgb[i] - expected.rgb[i]);
   EXPECT_LT(difference, 1e-4 * sum(expected));
@@ -294,7 +294,7 @@ TEST_F(FaultsOfRenderer, swapped_ior_is_a_bubble) {
 }
 
 TEST_F(FaultsOfRenderer, single_reflection_leaves_out_those_between) {
-  // A pane of index 1.5 before a wall that shines with 1: a front reflects R = 0.04, a pane 2R/(1+R).
+  // A pane of index 1.5 before a wall of radiance 1: one surface reflects R = 0.04, the pane 2R/(1+R).
   const std::string scene =
       put_scene("scene.xml", R"(path">)",
                 R"(<shape type="rectangle"><transform name="to_world"><scale value="4"/></transform>)" + grey(0) +
@@ -304,7 +304,7 @@ TEST_F(FaultsOfRenderer, single_reflection_leaves_out_those_between) {
                 </shape>)",
                 0.1);
   const std::vector<std::string> options{"--spp", "256"};
-  // 65536 samples of 0 or 1: 0.001 are a deviation.
+  // 65536 samples of 0 or 1 have a deviation of 0.001.
   EXPECT_NEAR(mean(render(sound, "", scene, options)), 1 - 0.08 / 1.04, 0.004);
   EXPECT_NEAR(mean(render(faulty, "single-reflection", scene, options)), 0.96, 0.004);
 }

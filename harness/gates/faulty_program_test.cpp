@@ -1,5 +1,6 @@
-// The second program, photonproof-faulty (scenes/base/faults.h): without a fault it is the first, and what its faults
-// do to an image follows from theory; faults_of_*_test.cpp have more of them. gate --self-test counts on both.
+// The second program, photonproof-faulty (scenes/base/faults.h). Without a fault it equals the first. The effect of its
+// faults on an image follows from theory; faults_of_*_test.cpp test more of them. The self-test of gates relies on
+// both.
 
 #include <cmath>
 #include <numbers>
@@ -10,8 +11,8 @@
 namespace photonproof::inline harness_gates {
 namespace {
 
-// A square light that shines up alone, on a mirror over it. The floor below gets its light from the mirror only. Paths
-// of three edges, so that no light comes by the floor to the mirror a second time.
+// A square light that emits only upwards, onto a mirror above it. The floor below gets its light only from the mirror.
+// Paths have three edges, so that no light goes from the floor to the mirror a second time.
 constexpr const char* light_by_mirror = R"xml(<scene version="3.0.0">
   <default name="integrator" value="path"/>
   <integrator type="$integrator"><integer name="max_depth" value="3"/>%RADII%</integrator>
@@ -57,12 +58,12 @@ TEST_F(FaultyProgram, without_a_fault_gives_the_bits_of_the_sound_program) {
 }
 
 TEST_F(FaultyProgram, dropped_cosine_lights_a_plane_as_if_it_faced_the_light) {
-  // The scene's comment: E_0 = 2 at an angle of cosine 2 / sqrt 6 on albedo 0.5, so L = 0.5 E_0 cosine / pi.
+  // From the scene's comment: E_0 = 2 at an angle of cosine 2 / sqrt 6 on albedo 0.5, so L = 0.5 E_0 cosine / pi.
   const std::string scene = library + "light-directional/scene.xml";
   const double facing = 0.5 * 2 / std::numbers::pi, right = facing * 2 / std::sqrt(6.0);
   for (const char* integrator : {"path", "photonmapper"}) {
     const std::vector<std::string> options{"--integrator", integrator, "--spp", "2"};
-    // Some float operations: 1e-5 is a hundred roundings.
+    // The tolerance of 1e-5 is a hundred roundings, for some float operations.
     for (const float value : render(faulty, "", scene, options).rgb) EXPECT_NEAR(value, right, 1e-5 * right);
     for (const float value : render(faulty, "dropped-cosine", scene, options).rgb)
       EXPECT_NEAR(value, facing, 1e-5 * facing);
@@ -84,8 +85,8 @@ TEST_F(FaultyProgram, missing_caustic_changes_no_bit_where_nothing_mirrors) {
   EXPECT_TRUE(render(faulty, "missing-caustic", scene, options).rgb == render(faulty, "", scene, options).rgb);
 }
 
-// Photons share the light's flux among those that are traced, so fewer are noisier and no dimmer: the image is that of
-// half the count, to the bit where the radii do not depend on the count and there is one pass.
+// The traced photons share the light's flux, so fewer photons give more noise at the same brightness. The image is that
+// of half the count. It is bit-identical where the radii do not depend on the count and there is one pass.
 TEST_F(FaultyProgram, half_photons_gives_the_image_of_half_the_photons) {
   const std::string scene =
       put_light_by_mirror(R"(<float name="global_radius" value="0.3"/><float name="caustic_radius" value="0.3"/>)");
@@ -107,7 +108,7 @@ TEST_F(FaultyProgram, unknown_fault_is_one_error_at_the_start) {
   error +=
       ", no-recentring, no-rescaling, float-faces, float-sphere, float-cylinder, lost-height, far-periods, "
       "fixed-step, unclamped-metal\n";
-  // volpath has none of this fault, and would not notice by itself.
+  // volpath does not have this fault, and alone would not notice the unknown name.
   for (const char* integrator : {"path", "volpath"}) {
     const ProcessOutcome outcome = run(faulty, "dropped-cosin", scene, {"--integrator", integrator, "--spp", "1"});
     EXPECT_EQ(outcome.exit_code, 2);

@@ -25,7 +25,7 @@ std::string trimmed(const std::string& text) {
   return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(" \t\r\n") - first + 1);
 }
 
-/// The committed reference, whatever scene it is of; empty when there is none that can be read.
+/// The scene's committed reference, of any version of the scene; empty without a readable one.
 std::optional<StoredReference> committed(const SuiteScene& scene) {
   const fs::path exr = committed_reference_path(scene.path, scene.width, scene.height);
   const fs::path json = fs::path(exr).replace_extension(".json");
@@ -68,7 +68,7 @@ std::optional<Accepted> accept_reference(const GateSuite& suite, const AcceptOpt
                                 "--quiet",
                                 "-o",
                                 exr.string()};
-  if (old) argv.insert(argv.end(), {"--integrator", old->provenance.estimator});  // as independent as it was
+  if (old) argv.insert(argv.end(), {"--integrator", old->provenance.estimator});  // as independent as the old one
   if (options.standard_error || old)
     argv.insert(argv.end(),
                 {"--standard-error",

@@ -1,5 +1,5 @@
-// A person accepts that a scene now looks different: its reference is rendered anew and replaces the committed one. Old
-// and new, the reason, who, and how far apart the two are stay in the provenance's history.
+// A person accepts a scene's new look: its reference is rendered anew and replaces the committed one. The provenance's
+// history keeps the old and new reference, the reason, the person, and the difference between the two.
 #pragma once
 
 #include <atomic>
@@ -14,17 +14,17 @@ namespace photonproof::inline harness_gates {
 
 struct AcceptOptions {
   std::filesystem::path program;  ///< this program
-  std::string gate;               ///< whose scene's reference is replaced
+  std::string gate;               ///< the gate of the scene whose reference is replaced
   std::string reason;
   std::string who;
-  std::optional<double> standard_error{};  ///< of the new one; the old one's where not given
+  std::optional<double> standard_error{};  ///< relative standard error of the new reference; default: the old one's
   const std::atomic<bool>* interrupt = nullptr;
 };
 
 struct Accepted {
   std::filesystem::path file;
   Provenance provenance;
-  std::string sentence;  ///< the new one against the old
+  std::string sentence;  ///< compares the new reference with the old
 };
 
 /// Empty when interrupted. Throws InputError without a reason, for an unknown gate, and when no reference can be

@@ -65,7 +65,7 @@ bool ImageStream::append(std::span<std::unique_ptr<DrawnImage>> fresh) {
   const auto gap = std::find(fresh.begin(), fresh.end(), nullptr);
   std::move(fresh.begin(), gap, std::back_inserter(drawn_));
   if (gap == fresh.end()) return true;
-  // Those after a gap are lost; the failure itself must not be.
+  // Images after a gap are lost, but the failure itself must be kept.
   for (auto& drawn : std::span(gap, fresh.end()))
     if (drawn != nullptr && drawn->result.status != Status::ok) drawn_.push_back(std::move(drawn));
   return failed() != nullptr;

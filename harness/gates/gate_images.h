@@ -1,5 +1,5 @@
-// The images that gates look at: an engine's, of one scene and budget, one independent image a seed. Each is a process
-// of its own; several run side by side. Gates on the same stream share its images.
+// The images of gates: one engine's, of one scene and budget, one independent image a seed. A process of its own draws
+// each; several run side by side. Gates on the same stream share its images.
 #pragma once
 
 #include <atomic>
@@ -17,25 +17,25 @@
 
 namespace photonproof::inline harness_gates {
 
-/// One image and what came of drawing it. `result.status` other than ok leaves the image empty.
+/// One image and its result. With a `result.status` other than ok the image is empty.
 struct DrawnImage {
   Image image;
   Result result;
 };
 
 struct DrawOptions {
-  std::filesystem::path program;       ///< this program, or a faulty one
-  std::filesystem::path folder;        ///< receives cells/ (image_store.h); exists
-  std::uint64_t seed = 1;              ///< of the whole run: another one draws other images
-  std::string fault{};                 ///< planted in `program`, which is photonproof-faulty (scenes/base/faults.h)
-  std::vector<std::string> further{};  ///< arguments after the engine's own
-  int processes = 1;                   ///< side by side
-  bool resume = false;                 ///< use what an earlier run left in `folder`
+  std::filesystem::path program;       ///< This program, or a faulty one.
+  std::filesystem::path folder;        ///< Receives cells/ (image_store.h); exists.
+  std::uint64_t seed = 1;              ///< Seed of the whole run: another one draws other images.
+  std::string fault{};                 ///< Planted in `program`, which is photonproof-faulty (scenes/base/faults.h).
+  std::vector<std::string> further{};  ///< Arguments after the engine's own.
+  int processes = 1;                   ///< Number of processes at once.
+  bool resume = false;                 ///< Use the images of an earlier run in `folder`.
   const std::atomic<bool>* interrupt = nullptr;
-  SceneCopies* copies = nullptr;  ///< what engines are given of scenes; null: the scenes themselves
+  SceneCopies* copies = nullptr;  ///< The scene copies that engines get; null: the scenes themselves.
 };
 
-/// What decides an image, but for its seed.
+/// All inputs of an image except its seed.
 struct StreamContent {
   std::string scene_hash, engine_version;
   std::optional<FilmPart> crop{};
@@ -43,30 +43,29 @@ struct StreamContent {
 
 class ImageStream;
 
-/// What a stream is asked for.
+/// A stream and the number of images that it must have.
 struct StreamDemand {
   ImageStream* stream = nullptr;
   std::size_t count = 0;
 };
 
-/// Draws until every stream has its `count`, or one image that is not ok: it is the stream's last, then. The images of
-/// all streams are drawn `processes` at a time; `progress` is called after each, from one thread at a time. False when
-/// interrupted.
+/// Draws until every stream has its `count`, or an image that is not ok, which then is its last. Draws the images of
+/// all streams, `processes` at a time. Calls `progress` after each, from one thread at a time. False when interrupted.
 bool draw_streams(std::span<const StreamDemand> demands, int processes,
                   const std::function<void(std::size_t done, std::size_t total)>& progress = {});
 
-/// The images of one stream, drawn when they are asked for.
+/// The images of one stream, drawn on request.
 class ImageStream {
  public:
-  /// `gate` says scene, engine and budget; `avoided` are the reference's seeds. Refers to suite and options.
+  /// `gate` gives scene, engine and budget; `avoided` are the reference's seeds. Refers to suite and options.
   ImageStream(const GateSuite& suite, const Gate& gate, StreamContent content, std::vector<std::uint64_t> avoided,
               const DrawOptions& options);
 
-  /// draw_streams of this one.
+  /// Calls draw_streams for this stream.
   bool draw(std::size_t count);
 
   const std::vector<std::unique_ptr<DrawnImage>>& drawn() const { return drawn_; }
-  /// The first that is not ok; null when all are.
+  /// The first image that is not ok; null when all are.
   const DrawnImage* failed() const;
 
  private:
@@ -74,7 +73,7 @@ class ImageStream {
 
   std::unique_ptr<DrawnImage> draw_one(std::uint64_t seed);
   std::uint64_t next_seed();
-  /// False when images are missing and none says why: interrupted.
+  /// False when images are missing without a failure: interrupted.
   bool append(std::span<std::unique_ptr<DrawnImage>> fresh);
 
   ImageEngine engine_;
@@ -87,7 +86,7 @@ class ImageStream {
   std::vector<std::unique_ptr<DrawnImage>> drawn_;
 };
 
-/// The same stream means the same images.
+/// The label of a stream: equal labels have equal images.
 std::string stream_label(const Gate& gate);
 
 }  // namespace photonproof::inline harness_gates

@@ -18,9 +18,9 @@
 namespace photonproof::inline harness_gates {
 namespace {
 
-/// The variance of a pixel of one image, from the reference: its batches had at least as many samples, of which each
-/// counts for no less in a small image than in a large one. Without what rounding to half floats added at most
-/// (reference/store/half_rounding.h). Empty where the reference is not made of samples through pixels.
+/// The variance of a pixel of one image, from the reference, whose batches had at least as many samples. A sample
+/// counts for no less in a small image than in a large one. The result excludes the largest variance that rounding to
+/// half floats adds (reference/store/half_rounding.h). Empty where the reference is not made of samples through pixels.
 std::optional<Image> variance_by_reference(const Budget& budget, const StoredReference& reference) {
   const Provenance& provenance = reference.provenance;
   if (provenance.estimator == "ptracer" || budget.kind != "spp" || provenance.seeds.empty()) return std::nullopt;
@@ -39,7 +39,7 @@ MetricOptions options_for(const Gate& gate, const ParameterValues& viewing) {
   return {.parameters = parameters_of(gate, viewing), .threads = 1, .only = {gate.metric}};
 }
 
-/// With the parameters that the gate gives, "flip (exposure=4)".
+/// The metric with the parameters that the gate gives: "flip (exposure=4)".
 std::string metric_text(const Gate& gate) {
   return gate.parameters.empty() ? gate.metric : gate.metric + " (" + given_text(gate.parameters) + ")";
 }
@@ -75,7 +75,7 @@ double channel_mean(const Image& image, std::size_t channel) {
   return sum / static_cast<double>(image.pixels());
 }
 
-/// What identical images are off by, without an interval.
+/// The verdict on identical images, with their deviation but without an interval.
 Judgement of_identical(GateVerdict verdict, std::string sentence, const StoredReference& reference,
                        const Image& image) {
   Judgement judgement = without_numbers(verdict, std::move(sentence));
@@ -88,10 +88,10 @@ std::string all_the_same(const Gate& gate, std::size_t images) {
                          : fmt::format("all {} images are the same and the engine's command has no {{seed}}", images);
 }
 
-/// Why these images cannot be judged, or must not be believed. Empty where they can.
+/// The reason why these images cannot be judged or prove nothing. Empty where they can be judged.
 std::optional<Judgement> fault_of_seeds(const Gate& gate, const StoredReference& reference,
                                         std::span<const Image* const> images, const Repeats& repeats) {
-  // In fewer values than this, chance may make two images of coarse noise equal.
+  // Images that differ in fewer values than this may be equal elsewhere by chance, when their noise is coarse.
   constexpr std::size_t least_difference = 64;
   if (std::any_of(images.begin(), images.end(),
                   [&](const Image* image) { return is_copy(reference.rendering, *image); }))
@@ -108,7 +108,7 @@ std::optional<Judgement> fault_of_seeds(const Gate& gate, const StoredReference&
   if (std::ranges::all_of(image.rgb, [](float value) { return value == 0; }))
     return of_identical(GateVerdict::fail, fmt::format("All {} images are black: -100 % everywhere", repeats.images),
                         reference, image);
-  // An unbiased engine's images have noise; POV-Ray's have none where nothing is random, whatever its seed.
+  // An unbiased engine's images have noise; POV-Ray's have none, with any seed, where nothing is random.
   if (gate.takes_seed && gate.unbiased)
     return of_identical(
         GateVerdict::fail,

@@ -1,5 +1,5 @@
-// Gates as a run decides them: how alpha is spent over looks, and images whose sides are neither equal nor multiples of
-// a block's.
+// Gates as a run decides them: the division of alpha over looks, and images whose sides are neither equal nor multiples
+// of a block's.
 #include "harness/gates/gate_look.h"
 
 #include <gtest/gtest.h>
@@ -17,11 +17,11 @@ namespace {
 
 using Random = std::mt19937_64;
 
-constexpr int width = 21, height = 11;  // blocks of 8 and 5 columns, of 8 and 3 rows
+constexpr int width = 21, height = 11;  // blocks are 8 and 5 columns wide, 8 and 3 rows high
 
 double expected(int x, int y, int c) { return 0.3 + 0.05 * c + 0.02 * x + 0.07 * y; }
 
-/// Each value off by a normal 10 %, times `factor`.
+/// An image of value 1 with normal noise of 10 %, times `factor`.
 Image draw(Random& random, double factor = 1) {
   std::normal_distribution<double> noise(1, 0.1);
   Image image(width, height);
@@ -31,7 +31,7 @@ Image draw(Random& random, double factor = 1) {
   return image;
 }
 
-/// The expectation, known to a hundredth of an image's noise.
+/// The expectation, with a hundredth of an image's noise.
 StoredReference reference() {
   StoredReference stored;
   stored.rendering = {Image(width, height), Image(width, height), {}};
@@ -49,7 +49,7 @@ StoredReference reference() {
 Gate gate(const std::string& metric, double bound, double alpha, int looks) {
   Gate gate;
   gate.engine = "path";
-  gate.budget = {"photons", 1};  // so that edges are no stratified samples'
+  gate.budget = {"photons", 1};  // so that edges do not count as those of stratified samples
   gate.metric = metric;
   gate.bound = bound;
   gate.block_bound = bound;
@@ -65,7 +65,7 @@ std::vector<const Image*> pointers(const std::vector<Image>& images) {
   return all;
 }
 
-/// How a run of the gate ends; empty: no look decides.
+/// The verdict of a run of the gate; empty if no look decides.
 std::optional<GateVerdict> decide(const Gate& gate, const StoredReference& stored, Random& random, double factor) {
   std::vector<Image> images;
   for (int look = 0; look < gate.looks; ++look) {
@@ -75,16 +75,16 @@ std::optional<GateVerdict> decide(const Gate& gate, const StoredReference& store
   return std::nullopt;
 }
 
-/// The most false alarms in `runs` that a rate of alpha makes with probability 0.99.
+/// The 99 % quantile of the false alarms in `runs` at a rate of alpha.
 double most_alarms(int runs, double alpha) { return boost::math::quantile(boost::math::binomial(runs, alpha), 0.99); }
 
-// Were alpha not divided by the looks, five of them would alarm at about three times alpha: each next look shares half
-// of its images with the one before.
+// If alpha were not divided by the looks, five of them would alarm at about three times alpha. Each look shares half of
+// its images with the one before.
 TEST(gate_look, an_agreement_gate_holds_alpha_over_all_its_looks) {
   constexpr int runs = 500;
   constexpr double alpha = 0.1;
   const StoredReference stored = reference();
-  const Gate g = gate(agreement_metric, 1e-9, alpha, 5);  // a bound that no look reaches: all of them are made
+  const Gate g = gate(agreement_metric, 1e-9, alpha, 5);  // no look reaches this bound: all of them are made
   Random random(1);
   int alarms = 0;
   for (int run = 0; run < runs; ++run) alarms += decide(g, stored, random, 1) == GateVerdict::fail ? 1 : 0;
@@ -132,9 +132,8 @@ TEST(gate_look, a_gate_on_a_metric_holds_alpha_over_all_its_looks) {
   EXPECT_LE(passed, most_alarms(runs, alpha / 2));
 }
 
-// A light smaller than a pixel: of 64 samples 0.6 meet it, so that one pixel in 120 is black of it in all of eight
-// images, and then looks dark and certain. What the reference's samples met says how uncertain it is, whoever made
-// them.
+// A light smaller than a pixel: 0.6 of 64 samples meet it. So one pixel in 120 misses it in all of eight images, and
+// then looks dark and certain. The samples of the reference give the pixel's variance, for any engine.
 TEST(gate_look, a_light_smaller_than_a_pixel_that_no_image_met_alarms_no_more_often_than_alpha) {
   constexpr int runs = 2000;
   constexpr double alpha = 0.001, met = 0.6, light = 0.2, noise = 0.01, batches = 256;
@@ -169,7 +168,7 @@ TEST(gate_look, a_light_smaller_than_a_pixel_that_no_image_met_alarms_no_more_of
 }
 
 TEST(gate_look, finds_a_fault_in_the_corner_that_is_less_than_a_block) {
-  // Columns 16 to 20 and rows 8 to 10 are what is left of a block at the right and lower edge: 15 pixels.
+  // Columns 16 to 20 and rows 8 to 10 are the rest of a block at the right and lower edge: 15 pixels.
   const StoredReference stored = reference();
   for (const char* metric : {agreement_metric, block_bias_metric}) {
     Random random(4);
@@ -205,9 +204,8 @@ TEST(gate_look, finds_one_wrong_pixel_of_the_last_column_and_row) {
 }
 
 TEST(gate_look, says_exactly_what_an_agreement_gate_would_have_seen) {
-  // Images without noise, a reference with a standard error of 1 % a pixel, known as well as can be. A fourth of alpha
-  // = 0.001 shared by three channels (and six blocks) has the two-sided normal quantile 3.9346 (4.3456), and 0.99
-  // has 2.3263.
+  // The images have no noise; the reference has an exact standard error of 1 % a pixel. A fourth of alpha = 0.001,
+  // shared by three channels (and six blocks), has the two-sided normal quantile 3.9346 (4.3456), and 0.99 has 2.3263.
   Rendering exact{Image(width, height), Image(width, height), {}};
   std::fill(exact.mean.rgb.begin(), exact.mean.rgb.end(), 1.0f);
   std::fill(exact.variance->rgb.begin(), exact.variance->rgb.end(), 1e-4f);
@@ -230,13 +228,13 @@ TEST(gate_look, the_reference_itself_fails_every_gate_also_as_one_image_of_eight
     EXPECT_EQ(judgement.verdict, GateVerdict::fail) << metric;
     EXPECT_EQ(judgement.sentence, "an image is the reference itself, bit for bit, and not a rendering") << metric;
   }
-  images.back().rgb[100] = std::nextafter(images.back().rgb[100], 1.0f);  // one bit off: no proof any more
+  images.back().rgb[100] = std::nextafter(images.back().rgb[100], 1.0f);  // one bit off: proves nothing
   EXPECT_EQ(look_at(gate(bias_metric, 0.9, 0.001, 1), stored, {}, pointers(images)).verdict, GateVerdict::pass);
 }
 
 TEST(gate_look, an_exact_image_is_no_copy_of_a_reference_that_is_exact_or_rounds_to_it) {
-  // An engine that writes half floats: 1 where the truth is 1, and 1 where it is so near that hardly a value of the
-  // reference went to the other half float. Of 693 values 1e-3 of the way, 0.7 are expected to.
+  // An engine that writes half floats draws 1. The truth is 1, or so near 1 that hardly any value of the reference is
+  // rounded to the other half float. At a distance of 1e-3 of the way, 0.7 of 693 values are expected to be.
   StoredReference stored = reference();
   std::fill(stored.rendering.mean.rgb.begin(), stored.rendering.mean.rgb.end(), 1.0f);
   const std::vector<Image> images(8, stored.rendering.mean);
@@ -261,15 +259,15 @@ TEST(gate_look, one_image_for_all_seeds_is_named_and_passes_nothing_that_weighs_
     EXPECT_EQ(ignores.verdict, GateVerdict::fail) << metric;
     EXPECT_EQ(ignores.sentence, "All 8 images are identical. The command probably ignores {seed}");
     EXPECT_NEAR(ignores.observed.value, 0, 0.03);  // 10 % of noise in 231 values a channel leaves 0.7 %
-    EXPECT_TRUE(ignores.tiles.empty());            // no fault of place
-    // An engine that claims no noise, as POV-Ray where nothing is random.
+    EXPECT_TRUE(ignores.tiles.empty());            // the fault has no place
+    // An engine that does not claim noise, like POV-Ray where nothing is random.
     tested.unbiased = false;
     const Judgement smooth = look_at(tested, stored, {}, pointers(images));
     EXPECT_EQ(smooth.verdict, GateVerdict::inconclusive) << metric;
     EXPECT_EQ(smooth.sentence.rfind("all 8 seeds gave the same image: " + std::string(metric) + " weighs noise", 0), 0u)
         << smooth.sentence;
     tested.unbiased = true;
-    tested.takes_seed = false;  // deterministic, and says so
+    tested.takes_seed = false;  // deterministic, without {seed}
     const Judgement deterministic = look_at(tested, stored, {}, pointers(images));
     EXPECT_EQ(deterministic.verdict, GateVerdict::inconclusive) << metric;
     EXPECT_EQ(deterministic.sentence.rfind("all 8 images are the same and the engine's command has no {seed}: " +
@@ -278,7 +276,7 @@ TEST(gate_look, one_image_for_all_seeds_is_named_and_passes_nothing_that_weighs_
               0u)
         << deterministic.sentence;
   }
-  // What one image says of itself holds.
+  // The metric of a single image still holds.
   tested.metric = "relmse";
   tested.bound = 0.1;
   EXPECT_EQ(look_at(tested, stored, {}, pointers(images)).verdict, GateVerdict::pass);
@@ -288,7 +286,7 @@ TEST(gate_look, one_image_for_all_seeds_is_named_and_passes_nothing_that_weighs_
   EXPECT_EQ(relmse.sentence.rfind("all 8 seeds gave the same image: relmse is 0.0", 0), 0u) << relmse.sentence;
 }
 
-// A black image is 100 % too dark whoever made it: with a seed or without, by an unbiased engine or another.
+// A black image is 100 % too dark: with or without a seed, from an unbiased or a biased engine.
 TEST(gate_look, a_black_image_is_off_by_minus_100_per_cent) {
   const StoredReference stored = reference();
   const std::vector<Image> images(8, Image(width, height));
@@ -324,7 +322,7 @@ TEST(gate_look, an_image_that_comes_twice_among_others_is_found) {
     EXPECT_EQ(judgement.verdict, GateVerdict::fail) << metric;
     EXPECT_EQ(judgement.sentence, "8 images are 7 different ones: the same seeds' noise counts more than once");
   }
-  // Two kinds of image that differ in one value are chance: one sample in a thousand saw a light.
+  // Two kinds of image that differ in one value may be chance: one sample in a thousand saw a light.
   for (std::size_t i = 1; i < images.size(); ++i) images[i] = images[0];
   for (std::size_t i = 4; i < images.size(); ++i) images[i].rgb[7] += 0.01f;
   EXPECT_EQ(look_at(gate("relmse", 0.9, 0.001, 1), stored, {}, pointers(images)).verdict, GateVerdict::pass);
@@ -340,7 +338,8 @@ TEST(gate_look, a_metric_that_fails_names_the_tile_with_most_of_the_error) {
       for (int x = 8; x < 16; ++x)
         for (int c = 0; c < 3; ++c) images.back().pixel(x, y)[c] *= 0.5f;
   }
-  // The tile's relative squared error is near 0.25, that of the others 0.01 of 167 pixels: 64/(64 + 6.7) = 0.9 of all.
+  // The tile's relative squared error is near 0.25, that of the other 167 pixels 0.01: the share is 64/(64 + 6.7) =
+  // 0.9.
   for (const auto& [metric, bound] : {std::pair{"relmse", 1e-3},
                                       {"ssim", 0.999},
                                       {"flip", 1e-3},
@@ -387,7 +386,7 @@ TEST(gate_look, a_parameter_that_the_gate_gives_is_what_it_judges_by_and_is_in_i
 }
 
 TEST(gate_look, what_only_all_blocks_together_show_has_its_worst_blocks_and_their_sign) {
-  // Every block of the right half a little darker, none of them beyond its own bound.
+  // Every block of the right half is a little darker, none of them beyond its own bound.
   const int side = 64;
   StoredReference stored;
   stored.rendering = {Image(side, side), Image(side, side), {}};
@@ -396,8 +395,8 @@ TEST(gate_look, what_only_all_blocks_together_show_has_its_worst_blocks_and_thei
   stored.provenance.seeds.resize(1000);
   Random random(10);
   std::vector<Image> images(64, Image(side, side));
-  // A block's mean over 64 images has a standard error of 0.1/sqrt(64 64) = 0.16 %: 0.35 % is 2.2 of them, under the
-  // bound of about 4.7, while 32 blocks add 32 2.2^2 = 150 to a chi^2 of 64. The other half makes up for it.
+  // A block's mean over 64 images has a standard error of 0.1/sqrt(64 64) = 0.16 %. 0.35 % is 2.2 of these, under the
+  // bound of about 4.7. But 32 blocks add 32 2.2^2 = 150 to a chi^2 of 64. The other half compensates the mean.
   for (Image& image : images)
     for (int y = 0; y < side; ++y)
       for (int x = 0; x < side; ++x)
@@ -452,8 +451,8 @@ TEST(gate_look, blocks_cover_every_pixel_once) {
 }
 
 TEST(gate_look, standard_errors_are_those_of_the_noise_however_few_the_images) {
-  // Of n images a pixel's squared standard error is (0.1 expected)^2 / n, in the sum over pixels: 4 images of 12 bands
-  // of 231 pixels leave 2 % of doubt, and a variance divided by n instead of n - 1 would be 25 % too small.
+  // A pixel's squared standard error over n images is (0.1 expected)^2 / n, summed over pixels. The sum of 4 images of
+  // 12 bands of 231 pixels is known to 2 %. A variance divided by n instead of n - 1 would be 25 % too small.
   Random random(5);
   double claimed = 0, true_variance = 0;
   for (int band = 0; band < 12; ++band) {

@@ -20,7 +20,7 @@ Image more_energy(const Image& image) {
   return each_value(image, [](float value) { return 1.02f * value; });
 }
 
-/// To the right; the left column is doubled.
+/// The image moved right by one pixel; the left column is doubled.
 Image shifted(const Image& image) {
   Image out = image;
   for (int y = 0; y < image.height; ++y)
@@ -28,7 +28,7 @@ Image shifted(const Image& image) {
   return out;
 }
 
-/// A twelfth of the sides, black, off the centre and off the grid of blocks.
+/// A black hole of a twelfth of the sides, off the centre and off the grid of blocks.
 Image with_hole(const Image& image) {
   Image out = image;
   const int side = std::max(1, std::min(image.width, image.height) / 12);
@@ -61,7 +61,7 @@ Image blurred(const Image& image) {
   return out;
 }
 
-/// Encoded by the sRGB curve and decoded by a power of 2.2, the usual mistake: right at 1, some per cent off below.
+/// Encodes by the sRGB curve and decodes by a power of 2.2, a common mistake: right at 1, some per cent off below.
 Image wrong_gamma(const Image& image) {
   return each_value(image, [](float value) {
     if (value <= 0 || value >= 1) return value;

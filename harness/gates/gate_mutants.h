@@ -1,4 +1,4 @@
-// What is planted to learn what gates find: mutants, which they must find, and nulls, of which they must not complain.
+// Variants planted to measure gates: mutants, which gates must find, and nulls, on which no gate may fail.
 #pragma once
 
 #include <span>
@@ -9,24 +9,24 @@
 
 namespace photonproof::inline harness_gates {
 
-/// Where a mutant is: a fault (scenes/base/faults.h) of the engine, of what draws and reads images here, of what judges
-/// them, or an edit of the finished image.
+/// The place of a mutant: a fault (scenes/base/faults.h) of the engine, of our drawing and reading of images, or of our
+/// judging; or an edit of the finished image.
 enum class PlantedIn { renderer, drawing, judging, image, nothing };
 
-/// Something done to an engine's images, to the engine, or to us.
+/// A change of an engine's images, of the engine, or of the harness.
 struct GateVariant {
-  std::string name{};  ///< "one-pixel shift"; of a fault, the one by which it is planted
-  std::string what{};  ///< in plain words
+  std::string name{};  ///< "one-pixel shift", or the name that plants the fault
+  std::string what{};  ///< description in plain words
   PlantedIn planted = PlantedIn::nothing;
-  Image (*change)(const Image& image) = nullptr;  ///< of an edit
-  /// Those of our engines that can have the fault or know the arguments, by the value of --integrator; empty: all.
+  Image (*change)(const Image& image) = nullptr;  ///< for an edit
+  /// Our engines that can have the fault or know the arguments, by the value of --integrator; empty: all.
   std::vector<std::string> integrators{};
   std::vector<std::string> further{};  ///< arguments after the engine's own
-  int threads = 0;                     ///< of the engine; 0: the suite's
+  int threads = 0;                     ///< the engine's threads; 0: the suite's
 
   bool is_mutant() const { return planted != PlantedIn::nothing; }
   bool is_fault_of_harness() const { return planted == PlantedIn::drawing || planted == PlantedIn::judging; }
-  /// Variants whose images come out of the engine as they do without them share those.
+  /// False for variants that share the unchanged images of the engine.
   bool draws_its_own() const {
     return planted == PlantedIn::renderer || planted == PlantedIn::drawing || !further.empty() || threads > 0;
   }
@@ -35,8 +35,8 @@ struct GateVariant {
 /// Mutants first: the renderer's, the harness's, edits of images.
 std::span<const GateVariant> gate_variants();
 
-/// Arguments for those kernels that photonproof-faulty has faults in (renderer/CMakeLists.txt). None for integrators
-/// without.
+/// Arguments that select the kernels with faults in photonproof-faulty (renderer/CMakeLists.txt). Empty for integrators
+/// without such kernels.
 std::vector<std::string> kernels_with_faults(const std::string& integrator);
 
 }  // namespace photonproof::inline harness_gates

@@ -10,7 +10,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A name of a person's choosing as a folder's.
+/// The name of a gate or scene, changed to a valid folder name.
 std::string folder_name(std::string name) {
   for (char& c : name)
     if (std::isalnum(static_cast<unsigned char>(c)) == 0 && c != '-' && c != '_' && c != '.' && c != '/') c = '_';

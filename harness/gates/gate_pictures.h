@@ -1,4 +1,4 @@
-// The pictures that reports show beside a gate: the mean of its images, where it differs, and the reference.
+// The pictures that reports show beside a gate: the mean of its images, maps of its differences, and the reference.
 #pragma once
 
 #include <filesystem>
@@ -10,12 +10,12 @@
 
 namespace photonproof::inline harness_gates {
 
-/// Writes gates/<name of the gate>/ under `folder` and sets the record's image and pictures: the image at the scene's
-/// `exposure` (stops), maps as the gate's metrics see it. `mean` has the reference's size and is finite.
+/// Writes gates/<name of the gate>/ under `folder` and sets the record's image and pictures. These are the image at the
+/// scene's `exposure` (stops), and maps by the gate's metrics. `mean` has the reference's size and is finite.
 void store_pictures(const Image& mean, const StoredReference& reference, double exposure, const ParameterValues& judged,
                     const std::filesystem::path& folder, GateRecord& record);
 
-/// Removes what store_reference left of an earlier run: engines write near it.
+/// Removes the files of store_reference from an earlier run: engines write near them.
 void remove_reference(const std::string& scene, const std::filesystem::path& folder);
 
 /// Writes references/<scene>.exr and .png under `folder`.

@@ -110,7 +110,7 @@ class Run {
         .first->second;
   }
 
-  /// The first images of every gate; of those that no accepted verdict decides, all of the first look. False when
+  /// Draws the first images of every gate; all of the first look where no accepted verdict decides. False when
   /// interrupted.
   bool draw_first_looks(const std::vector<const Gate*>& chosen) {
     if (!draw_for(chosen, [this](const Gate& gate) { return images_to_accept(suite_, gate); })) return false;
@@ -199,7 +199,7 @@ class Run {
     return record;
   }
 
-  /// The verdict is the kept one's; what it cost, and the pictures, are of the images that were drawn now.
+  /// The verdict is the kept one; its time and its pictures are from the images drawn now.
   GateRecord as_accepted(const Gate& gate, const Results& kept, const ImageStream& stream, const GateRecord& asked) {
     const std::size_t drawn = images_to_accept(suite_, gate);
     GateRecord record = kept.gates[0];
@@ -214,7 +214,7 @@ class Run {
     return record;
   }
 
-  /// What cannot be kept costs time at the next run and nothing else.
+  /// A verdict that cannot be kept only costs time at the next run.
   void keep(const std::string& key, const GateRecord& record) {
     try {
       keep_accepted(key, summary_.results, record);
@@ -264,7 +264,7 @@ class Run {
   std::map<std::string, ParameterValues> viewings_;
   std::map<std::string, std::optional<Expect>> expectations_;
   std::map<std::string, ImageStream> streams_;
-  std::map<std::string, Acceptance> acceptances_;  ///< by gate, of those whose first images are there
+  std::map<std::string, Acceptance> acceptances_;  ///< by gate, once its first images are drawn
   GateSummary summary_;
 };
 

@@ -13,21 +13,21 @@
 namespace photonproof::inline harness_gates {
 
 struct GateOptions {
-  std::filesystem::path folder;   ///< receives results.json, gates/ with pictures and cells/ with the images
-  std::filesystem::path program;  ///< this program
-  std::string command;            ///< how the run is repeated
+  std::filesystem::path folder;   ///< Receives results.json, gates/ with pictures and cells/ with the images.
+  std::filesystem::path program;  ///< This program.
+  std::string command;            ///< Repeats the run.
   std::map<std::string, std::string> versions;
-  std::uint64_t seed = 1;  ///< the same build, suite and seed give the same verdicts
-  std::string only;        ///< gates whose name contains this
-  bool resume = false;     ///< use the images that an earlier run left in `folder`
-  bool fresh = false;      ///< judge every gate, also where an accepted verdict is of the same images
+  std::uint64_t seed = 1;  ///< The same build, suite and seed give the same verdicts.
+  std::string only;        ///< Gates whose name contains this.
+  bool resume = false;     ///< Use the images that an earlier run left in `folder`.
+  bool fresh = false;      ///< Judge every gate, even if an accepted verdict has the same images.
   const std::atomic<bool>* interrupt = nullptr;
 };
 
 class GateObserver {
  public:
   virtual ~GateObserver() = default;
-  /// Of the images that all gates need for their first look. From one thread at a time.
+  /// Progress of the images that all gates need for their first look. Called from one thread at a time.
   virtual void draws(std::size_t drawn, std::size_t total) = 0;
   virtual void looks(std::size_t number, std::size_t total, const Gate& gate, std::size_t images) = 0;
   virtual void ended(std::size_t number, std::size_t total, const GateRecord& record) = 0;
@@ -35,14 +35,13 @@ class GateObserver {
 
 struct GateSummary {
   std::filesystem::path results_file;
-  Results results;  ///< as written
+  Results results;  ///< As written.
   bool interrupted = false;
   std::size_t count(GateVerdict verdict) const;
-  std::size_t accepted() const;  ///< passes that an earlier run decided (accepted_verdicts.h)
+  std::size_t accepted() const;  ///< Passes that an earlier run decided (accepted_verdicts.h).
 };
 
-/// Throws InputError for a suite or reference that cannot be used, before anything is drawn. Whatever an engine does is
-/// a verdict.
+/// Throws InputError before drawing for a suite or reference that cannot be used. Failures of an engine are verdicts.
 GateSummary run_gates(const GateSuite& suite, const GateOptions& options, GateObserver& observer);
 
 }  // namespace photonproof::inline harness_gates

@@ -1,4 +1,4 @@
-// What a self-test found, as a table for people: thresholds are chosen from it.
+// The result of a self-test as a table for readers, who choose thresholds from it.
 
 #include <fmt/ranges.h>
 
@@ -22,7 +22,7 @@ int most_alarms(int runs, double alpha) {
   return static_cast<int>(boost::math::quantile(boost::math::binomial(runs, alpha), confidence));
 }
 
-/// All nulls of one gate together, each weighed as the disjoint runs it holds.
+/// The sum of all nulls of one gate, each weighed by the number of disjoint runs in it.
 VerdictCounts nulls_of(const SelfTest& test, std::size_t gate) {
   VerdictCounts sum;
   double fail = 0, inconclusive = 0;
@@ -48,7 +48,7 @@ bool is_found(const VerdictCounts& any) {
   return any.fail >= least_found * any.runs && !(any.runs == 0 && any.out_of_time);
 }
 
-/// Those that the suite shows and does not find, though it does not say that it need not.
+/// Mutants that the suite does not find, and that are not among its `unpromised`.
 std::vector<std::string> missed(const SelfTest& test) {
   std::vector<std::string> names;
   for (std::size_t v = 0; v < test.variants.size(); ++v) {
@@ -60,10 +60,10 @@ std::vector<std::string> missed(const SelfTest& test) {
   return names;
 }
 
-/// "path/agreement", of gates that a suite names by their scene.
+/// "path/agreement": the kind of gates that a suite names by their scene.
 std::string kind_of(const Gate& gate) { return gate.engine + "/" + gate.metric; }
 
-/// The gates that find a mutant, by what they look at: "all 9 path/agreement; photonmapper/ssim: cornell, forms 41".
+/// The gates that find a mutant, grouped by kind: "all 9 path/agreement; photonmapper/ssim: cornell, forms 41".
 std::string finders(const GateSuite& suite, const SelfTest& test, std::size_t variant) {
   struct Kind {
     std::string name;
@@ -136,7 +136,7 @@ std::string nulls_table(const SelfTest& test) {
   return text + " | | |\n\n";
 }
 
-/// The gates whose images ran into their limit.
+/// The gates whose images reached their time limit.
 std::vector<std::string> not_judging(const SelfTest& test, std::size_t variant) {
   std::vector<std::string> names;
   for (std::size_t g = 0; g < test.gates.size(); ++g)

@@ -19,7 +19,7 @@ namespace photonproof::inline harness_gates {
 namespace {
 
 constexpr int nulls_a_mutant = 5;
-constexpr std::uint64_t seeds_apart = 1000;  // between the runs of variants that draw images of their own
+constexpr std::uint64_t seeds_apart = 1000;  // between the runs of variants with their own images
 
 int runs_of(const GateVariant& variant, const SelfTestOptions& options) {
   return variant.is_mutant() || variant.draws_its_own() ? options.runs : nulls_a_mutant * options.runs;
@@ -43,7 +43,7 @@ bool applies(const GateVariant& variant, const Engine& engine) {
   return is_ours(engine) && (able.empty() || std::find(able.begin(), able.end(), integrator_of(engine)) != able.end());
 }
 
-/// What `work` returns, done with the fault in this process. Without a name, or where there are no faults, just done.
+/// Returns the result of `work`, run with the fault in this process; without a name or without faults, just run.
 template <class Work>
 auto with_fault(const std::string& name, const Work& work) {
 #ifdef PHOTONPROOF_FAULTS
@@ -55,14 +55,14 @@ auto with_fault(const std::string& name, const Work& work) {
   return work();
 }
 
-/// Images of one stream, as a variant leaves them, and what one gate knows of each before it looks.
+/// Images of one stream, changed by a variant, and the findings about them before any gate looks.
 struct Pool {
   std::vector<Image> images;
-  bool defective = false;    ///< not finite, or not even drawn: every gate fails without looking
-  bool out_of_time = false;  ///< one was not drawn within its limit of wall time: no gate can tell
+  bool defective = false;    ///< not finite or not drawn: every gate fails without a look
+  bool out_of_time = false;  ///< one reached its limit of wall time: no gate can judge
 };
 
-/// Whether the first `count` of both are the same to the bit.
+/// Whether the first `count` images of both are bit-identical.
 bool starts_alike(const std::vector<Image>& a, const std::vector<Image>& b, std::size_t count) {
   if (a.size() < count || b.size() < count) return false;
   for (std::size_t i = 0; i < count; ++i)
@@ -169,7 +169,7 @@ class SelfTestRun {
     return kernels_with_faults(integrator_of(suite_.engine(stream.gate.engine)));
   }
 
-  /// As many as make all runs of the variant disjoint.
+  /// The number of images that makes all runs of the variant disjoint.
   std::size_t images_for(const GateVariant& variant) const {
     return static_cast<std::size_t>(runs_of(variant, options_)) * static_cast<std::size_t>(test_.seeds);
   }
@@ -183,7 +183,8 @@ class SelfTestRun {
     return pool;
   }
 
-  /// Of the `number`-th range of seeds. Empty when interrupted, and where the first look's are those of `sound`.
+  /// Draws a pool with the `number`-th range of seeds. Empty when interrupted, or if the first look equals that of
+  /// `sound`.
   std::optional<Pool> draw_pool(const Stream& of, const GateVariant& variant, std::size_t number, const Pool* sound,
                                 int count) {
     GateSuite suite = suite_;
@@ -252,7 +253,7 @@ class SelfTestRun {
     }
   }
 
-  /// The same for every gate of a stream, as in a run of the suite.
+  /// The order is the same for every gate of a stream, as in a run of the suite.
   std::vector<std::size_t> order_of_run(std::size_t run, std::size_t variant, std::size_t images) const {
     std::vector<std::size_t> order(images);
     std::iota(order.begin(), order.end(), std::size_t{0});
@@ -266,7 +267,7 @@ class SelfTestRun {
     return order;
   }
 
-  /// One gate on a pool: metrics of an image are computed once.
+  /// Judges one gate on a pool, computing metrics of an image once.
   class PoolJudge {
    public:
     PoolJudge(const Gate& gate, const StoredReference& reference, const ParameterValues& viewing,

@@ -10,7 +10,7 @@ namespace {
 
 class GateSelfTest : public FakeGateTest {
  protected:
-  /// Of gates on prepared images.
+  /// Runs the self-test of gates on prepared images.
   SelfTest self_test(const std::string& gates, int seconds = 20) {
     put_reference();
     put("gates.toml", gates_text(gates, seconds));
@@ -39,7 +39,7 @@ class GateSelfTest : public FakeGateTest {
 TEST_F(GateSelfTest, planted_faults_are_counted_as_found_and_healthy_runs_are_not) {
   const SelfTest test = self_test(gate("good", "agreement", 0.05) + gate("good", "flip", 0.9));
   ASSERT_EQ(test.gates.size(), 2u);
-  // A shell script has no renderer's faults, no instruction sets, and does not ask for its budget.
+  // A shell script has no renderer's faults and no instruction sets, and does not use its budget.
   const std::set<std::string> not_here{"3 threads", "scalar kernels", "quarter-budget"};
   for (std::size_t v = 0; v < test.variants.size(); ++v) {
     const GateVariant& variant = test.variants[v];
@@ -51,7 +51,7 @@ TEST_F(GateSelfTest, planted_faults_are_counted_as_found_and_healthy_runs_are_no
     EXPECT_EQ(test.counts[v][0].runs, variant.is_mutant() ? 20 : 100) << variant.name;
     // Eight images of 2 % noise a value, in twelve blocks a channel: each fault is many deviations off.
     EXPECT_EQ(test.counts[v][0].fail, variant.is_mutant() ? 20 : 0) << variant.name;
-    // flip cannot pass 0.9 here: that gate finds what is not finite, and nothing else.
+    // flip cannot exceed 0.9 here: that gate finds only values that are not finite.
     EXPECT_EQ(test.counts[v][1].fail, variant.name == "NaN" ? 20 : 0) << variant.name;
     EXPECT_EQ(test.any[v].fail, test.counts[v][0].fail) << variant.name;
   }
@@ -100,7 +100,7 @@ TEST_F(GateSelfTest, passes_when_all_that_changes_an_image_is_found) {
 }
 
 TEST_F(GateSelfTest, a_limit_of_wall_time_finds_nothing) {
-  // With every image's seed 1 this engine sleeps.
+  // This engine sleeps when every image has seed 1.
   SelfTest test = self_test(gate("slow-at-one", "agreement", 0.05), 4);
   const std::size_t slow = number_of(test, "repeated-seed"), noise = number_of(test, "certain-noise");
   EXPECT_TRUE(test.counts[slow][0].out_of_time);
@@ -114,7 +114,8 @@ TEST_F(GateSelfTest, a_limit_of_wall_time_finds_nothing) {
         "by: scene/slow-at-one/agreement.\n",
         "Not found in 99 of 100 runs: repeated-seed.\n"})
     EXPECT_NE(table.find(part), std::string::npos) << part << "\n" << table;
-  EXPECT_EQ(table.find("repeated-seed, "), std::string::npos) << table;  // it is not said to change nothing
+  EXPECT_EQ(table.find("repeated-seed, "), std::string::npos) << table;  // the table does not claim that it changes
+                                                                         // nothing
 }
 
 TEST_F(GateSelfTest, what_a_suite_does_not_promise_is_one_of_what_is_planted) {
@@ -130,7 +131,7 @@ TEST_F(GateSelfTest, what_a_suite_does_not_promise_is_one_of_what_is_planted) {
 
 TEST_F(GateSelfTest, where_a_first_look_is_unchanged_no_more_is_drawn) {
   const SelfTest test = self_test(gate("good", "agreement", 0.05));
-  // 24 healthy images, and 16 of each fault here; of a quarter of the budget 8 show that nobody heeds it.
+  // 24 healthy images, and 16 of each fault here; 8 of a quarter of the budget show that the engine ignores it.
   EXPECT_EQ(images_drawn(), 24 + 16 + 16 + 8);
 }
 

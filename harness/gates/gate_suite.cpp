@@ -25,7 +25,7 @@ double positive(const TomlTable& table, const std::string& key, double most) {
   return value;
 }
 
-/// The keys that the suite gives to all gates and a gate may give itself.
+/// The keys that the suite sets for all gates and a gate may override.
 void read_statistics(const TomlTable& table, Gate& gate) {
   if (table.has("alpha")) gate.alpha = positive(table, "alpha", 0.5);
   if (table.has("seeds")) gate.seeds = bounded_integer(table, "seeds", least_images, 1 << 16);
@@ -42,7 +42,7 @@ std::vector<MetricName> known_metrics() {
   return names;
 }
 
-/// Those keys that are parameters of a metric: this gate's, or the key is wrong here.
+/// The keys that are parameters of this gate's metric. Any other metric parameter is an error here.
 std::vector<GivenParameter> parameters_from_toml(const TomlTable& table, const std::string& metric) {
   const MetricRow* row = weighs_noise(metric) ? nullptr : find_metric(metric);
   std::vector<GivenParameter> given;
@@ -74,7 +74,7 @@ std::string metric_from_toml(const TomlTable& table, const SuiteScene& scene) {
   return metric;
 }
 
-/// The gate of one of the row's scenes and engines; `several`: it has more than one of either.
+/// The gate of one scene and engine of the row. `several`: the row has more than one of either.
 Gate gate_from_toml(const TomlTable& table, const GateSuite& suite, const Gate& defaults, const SuiteScene& scene,
                     const Engine& engine, bool several) {
   Gate gate = defaults;

@@ -1,5 +1,5 @@
-// A gate suite: which engine must keep which bound on which scene. Its keys and metrics are in suites/FORMAT.md, which
-// suite_format_test.cpp holds to what is read here.
+// A gate suite: the bounds that engines must keep on scenes. Its keys and metrics are in docs/formats/suite.md, which
+// suite_format_test.cpp compares with the code.
 #pragma once
 
 #include <filesystem>
@@ -12,11 +12,11 @@
 
 namespace photonproof::inline harness_gates {
 
-/// A new member does not compile until verdict_key (accepted_verdicts.cpp) says whether a pass depends on it.
+/// A new member does not compile until verdict_key (accepted_verdicts.cpp) handles it, as a pass may depend on it.
 struct Gate {
   std::string name;
   std::string scene, engine;  ///< names
-  Budget budget;              ///< of one image
+  Budget budget;              ///< samples or photons of one image
   std::string metric;
   double bound = 0;
   double block_bound = 0;  ///< agreement only
@@ -25,10 +25,10 @@ struct Gate {
   int looks = 0;
   bool takes_seed = true;                    ///< its engine's command has a {seed}
   bool unbiased = true;                      ///< its engine's trust: images whose noise averages out
-  std::vector<GivenParameter> parameters{};  ///< of its metric; the scene says the others
+  std::vector<GivenParameter> parameters{};  ///< the metric's; the others are the scene's
 };
 
-/// What --self-test plants and no gate of the suite has to find, though it changes images of the suite.
+/// A fault that --self-test plants and no gate of the suite must find, though it changes images of the suite.
 struct Unpromised {
   std::string planted;  ///< name of a mutant (gate_mutants.h)
   std::string why;      ///< clause, without a full stop
@@ -43,7 +43,7 @@ struct GateSuite : SuiteCommon {
 /// The gates whose names contain `part`. Throws InputError about --only when there are none.
 std::vector<const Gate*> gates_named(const GateSuite& suite, const std::string& part);
 
-/// Throws InputError with file:line:col on anything but the above.
+/// Throws InputError with file:line:col for any other content.
 GateSuite read_gate_suite(const std::filesystem::path& file);
 
 }  // namespace photonproof::inline harness_gates

@@ -1,5 +1,5 @@
-// The program itself against engines that would like to pass: what they are given, what gives them away, and how an
-// engine that leaves no image is told from one whose image is wrong.
+// Tests the program against engines that try to pass without rendering: the files they get and the signs that reveal
+// them. Also tests that a missing image is told apart from a wrong one.
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
@@ -20,7 +20,7 @@ class GatesNotFooled : public FakeGateTest {
     put_reference();
   }
 
-  /// A row for an engine that is this shell script. It has $scene, $output, $seed and $suite.
+  /// A row for an engine that is this shell script. The script has $scene, $output, $seed and $suite.
   std::string engine(const std::string& name, const std::string& lines, bool takes_seed = true) const {
     put(name + ".sh", "suite=$1 scene=$2 output=$3 seed=${4:-0}\n" + lines + "\n");
     return "[[engine]]\nname = '" + name +
@@ -45,7 +45,7 @@ TEST_F(GatesNotFooled, the_reference_is_not_beside_the_scene_that_an_engine_is_g
 (cd "$folder" && ls -R) > "$suite/seen"
 cp "$folder"/reference-32x24.exr "$output" || cp "$folder"/../references/scene.exr "$output" ||
 cp "$(dirname "$output")/../../references/scene.exr" "$output")");
-  for (int time : {1, 2}) {  // the second time there is what the first one left
+  for (int time : {1, 2}) {  // the second time, the first run's files are there
     EXPECT_EQ(run_gate(thief + gate("thief", "agreement", 0.05)).exit_code, 1) << time;
     EXPECT_EQ(only_gate().status, Status::crash) << only_gate().sentence;  // it has nothing to copy
   }

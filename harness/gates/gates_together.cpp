@@ -46,7 +46,7 @@ class SceneVerdicts {
     }
   }
 
-  /// Empty where there is nothing to say of engines together.
+  /// Empty where engines together show nothing.
   std::string sentence() const {
     if (failing_.empty() || failing_.size() + passing_.size() < 2) return "";
     const std::string fail = listed(failing_, "and") + (failing_.size() == 1 ? " fails" : " fail");
@@ -82,7 +82,7 @@ class SceneVerdicts {
     return std::ranges::none_of(engines, [&](const auto& engine) { return passes_of(integrator(engine)).empty(); });
   }
 
-  /// What all of these engines run. Precondition: one at least.
+  /// The code that all of these engines run. Precondition: at least one engine.
   Names own(const Names& engines) const {
     Names passes = passes_of(integrator(engines.front()));
     for (const std::string& engine : engines)

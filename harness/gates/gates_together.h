@@ -1,5 +1,5 @@
-// What the gates of a scene say together: which engines fail where others pass, and what of ours the ones have and the
-// others have not. A sentence each names a place; only together do they narrow down a cause.
+// The common conclusion of a scene's gates: the engines that fail where others pass, and the code that only the failing
+// ones of ours run. A single gate's sentence names a place; only together do they narrow down a cause.
 #pragma once
 
 #include <string>
@@ -10,10 +10,10 @@
 
 namespace photonproof::inline harness_gates {
 
-/// A sentence for each scene on which an engine fails and another one passes, or on which all of several fail:
-///   "cornell: path fails where photonmapper passes: look at weights of lights that bounces meet, or diffuse bounces"
-/// An engine fails on a scene when images of it do, and passes when all its gates there do. Gates without images to
-/// judge (GateRecord::status) count as neither. Scenes in the order of the gates.
+/// A sentence for each scene on which one engine fails and another passes, or on which all of several fail. An example:
+///   "cornell: path fails where photonmapper passes: look at weights of lights that bounces meet, or diffuse bounces".
+/// An engine fails on a scene when its images do, and passes when all its gates there do. Gates without images to judge
+/// (GateRecord::status) count as neither. Scenes are in the order of the gates.
 std::vector<std::string> gates_together(const std::vector<GateRecord>& gates, const SuiteCommon& suite);
 
 }  // namespace photonproof::inline harness_gates

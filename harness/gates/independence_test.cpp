@@ -1,4 +1,4 @@
-// Which references can convict an engine.
+// Tests which references can prove an engine wrong.
 #include "harness/gates/independence.h"
 
 #include <gtest/gtest.h>
@@ -42,7 +42,7 @@ TEST(independence, is_given_by_a_closed_form_that_the_reference_keeps) {
   EXPECT_NE(words("path", grey("path", 0.994f), expect), "");
   expect.analytic->mean.reset();
   EXPECT_NE(words("path", grey("path", 1), expect), "");
-  // The closed form is of the scene as it is.
+  // The closed form holds for the unchanged scene.
   expect.analytic->mean = RgbD(1);
   StoredReference defined = grey("path", 1);
   defined.provenance.definitions = {"albedo=0.3"};
@@ -53,7 +53,7 @@ TEST(independence, is_what_the_gates_of_this_program_have) {
   for (const char* file : {"gates.toml", "gates-features.toml"}) {
     const GateSuite suite = read_gate_suite(PHOTONPROOF_SOURCE_DIR "/harness/suites/" + std::string(file));
     for (const Gate& gate : suite.gates) {
-      if (gate.engine == "volpath") continue;  // nobody else knows media that scatter: its gates say so
+      if (gate.engine == "volpath") continue;  // no other engine renders media that scatter: its gates state that
       const SuiteScene& scene = suite.scene(gate.scene);
       const StoredReference reference = load_reference(scene.path, scene.width, scene.height);
       const Expect expect = read_expect(expect_path_of(scene.path.string()));

@@ -29,7 +29,7 @@ int PoolSizes::of(const std::string& stream) const {
 PoolSizes read_pool_sizes(const std::string& option, const std::vector<std::string>& texts, int usual) {
   PoolSizes sizes{usual};
   for (const std::string& text : texts) {
-    const std::size_t equals = text.rfind('=');  // labels have them, too: cornell/path/spp=16
+    const std::size_t equals = text.rfind('=');  // labels contain it, too: cornell/path/spp=16
     const std::string number = equals == std::string::npos ? text : text.substr(equals + 1);
     const std::optional<int> count = count_in(number);
     if (!count || equals == 0)

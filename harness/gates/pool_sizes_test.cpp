@@ -10,7 +10,7 @@ TEST(PoolSizes, are_the_first_that_is_named_for_a_stream_or_the_usual_one) {
   EXPECT_EQ(sizes.of("cornell/photonmapper/spp=16"), 160);
   EXPECT_EQ(sizes.of("roughness/path/spp=256"), 20);
   EXPECT_EQ(sizes.of("cornell/path/spp=16"), 30);
-  EXPECT_EQ(sizes.of("mist/volpath/spp=64"), 30);  // a part of the name
+  EXPECT_EQ(sizes.of("mist/volpath/spp=64"), 30);  // matches a part of the name
   EXPECT_EQ(sizes.of("cornell/bdpt/spp=16"), 400);
   EXPECT_EQ(read_pool_sizes("--pool", {"spp=16=5"}, 64).of("cornell/bdpt/spp=16"), 5);
   EXPECT_EQ(read_pool_sizes("--pool", {}, 64).of("cornell/bdpt/spp=16"), 64);

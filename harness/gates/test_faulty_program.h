@@ -1,4 +1,4 @@
-// The second program, photonproof-faulty (scenes/base/faults.h), as tests start it, and small scenes for it.
+// Runs the second program, photonproof-faulty (scenes/base/faults.h), in tests, with small scenes for it.
 #pragma once
 
 #include <cstdlib>
@@ -25,7 +25,7 @@ class FaultyProgramTest : public FolderTest {
   }
   std::string path(const std::string& name) const { return (folder_ / name).string(); }
 
-  /// `fault` empty: the variable is not set.
+  /// An empty `fault` leaves the variable unset.
   ProcessOutcome run(const std::string& program, const std::string& fault, const std::string& scene,
                      std::vector<std::string> options) const {
     if (fault.empty())
@@ -52,8 +52,8 @@ class FaultyProgramTest : public FolderTest {
   }
   static double mean(const Image& image) { return sum(image) / static_cast<double>(image.rgb.size()); }
 
-  /// Seen from (0, 0, 4) along -z, the x axis to the right, `fov` degrees wide. `integrator`: "path", or with
-  /// parameters after the quotes that end its name.
+  /// Writes a scene seen from (0, 0, 4) along -z, the x axis to the right, `fov` degrees wide. `integrator`: "path", or
+  /// with parameters after the quotes that end its name.
   std::string put_scene(const std::string& name, const std::string& integrator, const std::string& content,
                         double fov = 30, const std::string& filter = R"(<rfilter type="box"/>)",
                         const std::string& camera = "") const {
@@ -65,7 +65,7 @@ class FaultyProgramTest : public FolderTest {
     return path(name);
   }
 
-  /// All that is seen: a wall in the plane z = 0, normal +z.
+  /// The only visible shape: a wall in the plane z = 0, normal +z.
   static std::string wall(const std::string& bsdf) {
     return R"(<shape type="rectangle"><transform name="to_world"><scale value="4"/></transform>)" + bsdf + "</shape>";
   }

@@ -1,5 +1,4 @@
-// A gate suite whose engines are a shell script that copies prepared images, and a stored reference they can be held
-// to.
+// A gate suite whose engines are a shell script that copies prepared images, and a stored reference for them.
 #pragma once
 
 #include <cmath>
@@ -19,7 +18,7 @@ class FakeGateTest : public FakeSuiteTest {
 
   void SetUp() override {
     FakeSuiteTest::SetUp();
-    // What is accepted or missing here must not be somebody's own.
+    // The tests need their own cache of accepted verdicts, not the user's.
     setenv("PHOTONPROOF_CACHE", (folder_ / "cache").c_str(), 1);
     put("gate.sh", gate_script);
     std::mt19937_64 random(1);
@@ -43,7 +42,7 @@ class FakeGateTest : public FakeSuiteTest {
 
   static double expected(int x, int y, int c) { return (x < 7 ? 0.2 : 0.6) + 0.02 * y + 0.1 * c; }
 
-  /// Each value is off by a normal 2 %.
+  /// An image with a normal noise of 2 % a value.
   static Image noisy(std::mt19937_64& random) {
     Image image(width, height);
     for (int y = 0; y < height; ++y)
@@ -54,7 +53,7 @@ class FakeGateTest : public FakeSuiteTest {
     return image;
   }
 
-  /// The exact expectation, as if from so many samples that 1e-4 of each value is its standard error.
+  /// The exact expectation. Its standard error is 1e-4 of each value, as from a large number of samples.
   void put_reference(double standard_error = 1e-4) const {
     Rendering exact{Image(width, height), Image(width, height), {}};
     for (int y = 0; y < height; ++y)

@@ -29,7 +29,7 @@ AssignmentLimits limits_of(const TomlTable& table, AssignmentLimits limits) {
   return limits;
 }
 
-// What a placeholder may be that grading fills in.
+// Checks that a command has only known placeholders, which grading fills in.
 void check_placeholders(const TomlTable& table, const std::string& key, const std::vector<std::string>& command,
                         const std::vector<std::string>& known) {
   if (command.empty()) throw table.error(key, "'" + key + "' must not be empty");
@@ -56,7 +56,7 @@ void read_build(const TomlTable& document, Assignment& assignment) {
   check_placeholders(table, "command", assignment.build_command, {"threads"});
   if (table.has("overwrite")) {
     assignment.overwrite = assignment.folder / table.string("overwrite");
-    std::error_code unreachable;  // a name that is too long, say
+    std::error_code unreachable;  // for example a name that is too long
     if (!fs::is_directory(assignment.overwrite, unreachable))
       throw table.error("overwrite", "no such folder: " + assignment.overwrite.string());
   }
@@ -121,7 +121,7 @@ ReferenceSource reference_source(const TomlTable& table) {
   return source;
 }
 
-// `key` is where the table names it.
+// `key` is its place in the table.
 const MetricRow* known_metric(const TomlTable& table, const std::string& key, const std::string& name) {
   if (const MetricRow* row = find_metric(name)) return row;
   std::vector<std::string> names;
@@ -211,7 +211,7 @@ Assignment read_assignment(const fs::path& file) {
   assignment.image = image_of_assignment(document.table("image"));
   const TomlTable baseline = document.table("baseline");
   assignment.baseline = assignment.folder / baseline.string("submission");
-  std::error_code unreachable;  // a name that is too long, say
+  std::error_code unreachable;  // for example a name that is too long
   if (!fs::exists(assignment.baseline, unreachable))
     throw baseline.error("submission", "no such file or folder: " + assignment.baseline.string());
   baseline.expect_no_other_keys();

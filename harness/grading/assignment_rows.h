@@ -1,5 +1,5 @@
-// The parts of an assignment that have a source of their own, and how both read values. All throw InputError with the
-// value's place.
+// The parts of an assignment with sources of their own, and the reading of values for both. All throw InputError with
+// the value's place.
 #pragma once
 
 #include <optional>
@@ -13,13 +13,13 @@ namespace photonproof::inline harness_grading {
 
 double positive_number(const TomlTable& table, const std::string& key);
 std::string one_of(const TomlTable& table, const std::string& key, const std::vector<std::string>& known);
-/// "linear", a gamma, or "srgb", which is empty.
+/// Empty for "srgb", 1 for "linear", else the gamma.
 std::optional<double> transfer_of(const TomlTable& table, const std::string& key);
 
-/// [[scene]] and [[hidden]], into assignment.scenes; the rest of it is read.
+/// Reads [[scene]] and [[hidden]] into assignment.scenes, after the rest of the assignment.
 void read_assignment_scenes(const TomlTable& document, Assignment& assignment);
 
-/// [performance] of an assignment whose scenes are read.
+/// Reads [performance], after the assignment's scenes.
 PerformanceRule performance_rule(const TomlTable& table, const Assignment& assignment);
 
 }  // namespace photonproof::inline harness_grading

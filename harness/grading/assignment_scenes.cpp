@@ -18,7 +18,7 @@ void file_if_given(const TomlTable& table, const char* key, const Assignment& as
   if (table.has(key)) file = existing_file(table, key, assignment.folder);
 }
 
-// The run's own folder is all that a file may be put into.
+// A file may only be put into the run's own folder.
 void check_place(const TomlTable& table, const std::string& place) {
   const fs::path path(place);
   const bool leaves =
@@ -34,7 +34,7 @@ void read_variant(const TomlTable& table, const Assignment& assignment, Assignme
   scene = *base;
   scene.name = name;
   scene.of = of;
-  scene.reference.clear();  // the variant looks otherwise
+  scene.reference.clear();  // the variant looks different
   scene.given.clear();
   scene.variant = one_of(table, "variant", variant_kinds);
   if (table.has("seed"))
@@ -58,7 +58,7 @@ void read_params(const TomlTable& table, const Assignment& assignment, Assignmen
                                                   : std::vector<std::string>{table.string("scene_option")};
 }
 
-// What the program cannot know of the scene without.
+// Checks that the program gets all that it must know of the scene.
 void check_needs(const TomlTable& table, const Assignment& assignment, const AssignmentScene& scene) {
   const bool has_file = !scene.params.empty() || !scene.params_template.empty();
   if (mentions(assignment.run_command, "{scene}") && scene.path.empty())

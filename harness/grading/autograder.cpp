@@ -37,7 +37,7 @@ void check_inside(const Assignment& assignment) {
       refuse_outside(assignment, file);
 }
 
-// Files that the program loads, as the dynamic linker says.
+// The files that the program loads, from the dynamic linker.
 std::vector<std::string> libraries_of(const fs::path& file) {
   std::vector<std::string> libraries;
   std::istringstream lines(run_process({"ldd", file.string()}).standard_output);
@@ -50,8 +50,8 @@ std::vector<std::string> libraries_of(const fs::path& file) {
   return libraries;
 }
 
-// The Debian packages that they belong to, without architectures. dpkg knows files by the names they were installed
-// under, which may be links, or lack the /usr of today: one question with all of them, since each takes it a while.
+// The Debian packages that they belong to, without architectures. dpkg knows files by their names at installation,
+// which may be links, or lack today's /usr. One call queries all of them, since each call takes some time.
 std::set<std::string> packages_of(const std::vector<fs::path>& programs) {
   constexpr std::string_view usr = "/usr";
   std::set<std::string> names;

@@ -1,4 +1,5 @@
-// The zip that Gradescope makes an autograder of: this program, an assignment's folder, setup.sh and run_autograder.
+// The zip file from which Gradescope makes an autograder: this program, an assignment's folder, setup.sh,
+// run_autograder.
 #pragma once
 
 #include <filesystem>
@@ -8,11 +9,11 @@
 namespace photonproof::inline harness_grading {
 
 struct AutograderOptions {
-  std::filesystem::path program;  ///< this one; its module of image formats lies in ../lib
-  bool contained = true;          ///< false: run_autograder passes --no-sandbox, for hosts without user namespaces
+  std::filesystem::path program;  ///< This program; its module of image formats is in ../lib.
+  bool contained = true;          ///< False: run_autograder passes --no-sandbox, for hosts without user namespaces.
 };
 
-/// Writes the archive. setup.sh installs the packages that the program's libraries come from, as found out here, so it
+/// Writes the archive. Its setup.sh installs the packages of the program's libraries, as found on this machine. So it
 /// is for images of the same distribution and release. Throws InputError where a file cannot be read, or the assignment
 /// names files outside its folder, which would be missing there.
 void write_autograder(const Assignment& assignment, const AutograderOptions& options,

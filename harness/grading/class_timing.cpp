@@ -16,7 +16,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// As many images of a scene are timed in turn: with the seeds of the first correctness runs, whose images are known.
+// The number of images of a scene that are timed in turn. Their seeds are the first correctness runs', so they are
+// known.
 constexpr std::size_t timed_seeds = 2;
 
 nlohmann::json round_json(const std::vector<std::optional<SpeedRound>>& round, const std::vector<std::string>& names) {
@@ -78,8 +79,8 @@ class Timing {
     return session;
   }
 
-  // Scenes that earn no points for speed, hidden ones above all: a program that is quick on the timed scenes alone goes
-  // by what it is asked for. Submissions that the runs for correctness do not clear are timed in three rounds.
+  // Times scenes that earn no points for speed, above all hidden ones: a program that is fast only on the timed scenes
+  // recognises them. Submissions that the correctness runs do not clear are timed in three rounds.
   void watch_untimed_scenes() {
     for (std::size_t s = 0; s < timing_.scenes.size(); ++s) {
       if (!timing_.references[s] || std::ranges::find(timed_, s) != timed_.end()) continue;
@@ -97,8 +98,8 @@ class Timing {
     }
   }
 
-  // The first runs for correctness, which ran beside others, say that it keeps less than three quarters of its speed-up
-  // there, by the logarithm.
+  // True if the first correctness runs, which ran beside others, show less than three quarters of its speed-up there,
+  // by the logarithm.
   bool may_be_slow(const SubmissionWork& work, std::size_t s) const {
     const std::optional<Interval>& speedup = work.grade.speed.speedup.interval;
     const auto& mine = work.scenes[s];
@@ -109,7 +110,7 @@ class Timing {
     return std::log(ratio) < 0.75 * std::log(work.grade.speed.speedup.value);
   }
 
-  // Half of the speed-up, by the logarithm, is missing for certain. Copies of the program are as slow.
+  // Flags a submission that surely lacks half of its speed-up, by the logarithm. Copies of the program are as slow.
   void flag_slow(const SubmissionWork& timed, std::size_t s, const SpeedGrade& there) {
     const Estimate& speedup = timed.grade.speed.speedup;
     const std::optional<Interval>& interval = there.speedup.interval;
@@ -146,7 +147,7 @@ class Timing {
 
   bool is_baseline(const SubmissionWork& work) const { return work.grade.checksum == timing_.baseline.checksum; }
 
-  // Of what is not timed for itself: the same program would only show noise.
+  // The speed of a submission that equals a timed one or the baseline: timing it again would only show noise.
   SpeedGrade speed_of_same(const SubmissionWork& work) const {
     for (const std::size_t other : timed_works_)
       if (works_[other].grade.checksum == work.grade.checksum) return works_[other].grade.speed;
@@ -175,7 +176,7 @@ class Timing {
     return timed;
   }
 
-  // The same image as before needs no judging again.
+  // An image equal to an earlier one needs no second verdict.
   std::string image_problem_of(const SubmissionWork& work, std::size_t s, std::size_t number,
                                const Image& image) const {
     const std::vector<Image>& before = work.scenes[s]->images;
@@ -205,7 +206,7 @@ class Timing {
     write_file_atomically(round_file(++kept_), json_text(round_json(round, names())));
   }
 
-  // Rounds are whole or not there: a ratio of times of two sessions would say nothing.
+  // Keeps only whole rounds: a ratio of times from two sessions would mean nothing.
   void find_kept(SpeedSession& session) {
     while (fs::exists(round_file(kept_ + 1))) {
       ++kept_;

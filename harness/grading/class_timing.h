@@ -1,4 +1,4 @@
-// The class is timed: which submissions, what of their images is looked at meanwhile, and what is kept of rounds.
+// Times the class: selects the submissions, checks their images during timing, and keeps the rounds.
 #pragma once
 
 #include <filesystem>
@@ -25,7 +25,7 @@ struct ClassTiming {
   std::function<void(const std::string&)> progress;
 };
 
-/// Sets grade.speed of all: those that are right on every timed scene are timed, the others are told why not. Flags
+/// Sets grade.speed of all. Submissions that are right on every timed scene are timed; the others get the reason. Flags
 /// "fast-on-timed-only" where half of the speed-up, by the logarithm, is missing on a scene that is not timed.
 void time_class(const ClassTiming& timing, const std::vector<PreparedSubmission>& prepared,
                 std::vector<SubmissionWork>& works);

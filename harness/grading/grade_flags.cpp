@@ -70,7 +70,7 @@ class SubmissionFlags {
     work_.grade.flags.push_back({kind, std::move(sentence), context_.scenes[s].row.name, std::move(other)});
   }
 
-  // A program that heeds its seed cannot hit what was made with another one.
+  // A program that uses its seed cannot hit an image made with another one.
   bool is_copy_of_given(std::size_t s) {
     const WorkScene& scene = context_.scenes[s];
     if (!scene.given || !context_.assignment.seeds || !context_.references[s]) return false;
@@ -104,7 +104,7 @@ class SubmissionFlags {
     flag("seed-ignored", scene_title(context_.scenes[s]) + ": the same image for two seeds", s);
   }
 
-  // The seed is heeded in a new folder, but where a run was before, or where its image lies, that comes back.
+  // Flags a program that uses the seed in a new folder but returns an earlier run's image where that run or image was.
   void comes_back(std::size_t s) {
     const SceneWorkGrade& work = *work_.scenes[s];
     const auto is_first = [&work](const std::optional<Image>& image) {
@@ -119,7 +119,7 @@ class SubmissionFlags {
     flag(is_kept ? "keeps-results" : "copies-found", scene_title(context_.scenes[s]) + ": " + sentence, s);
   }
 
-  // Of a wrong image a hint; right programs may be as undetermined as they like.
+  // A hint for a wrong image; right programs may vary between runs.
   void runs_differ(std::size_t s) {
     const auto is_undetermined = [s](const SubmissionWork& work) {
       const std::optional<SceneWorkGrade>& scene = work.scenes[s];
@@ -134,7 +134,7 @@ class SubmissionFlags {
          s);
   }
 
-  // As a scene that is moved with its camera does.
+  // True for scenes that rightly look alike, such as one moved together with its camera.
   bool look_alike_by_right(std::size_t s, std::size_t other) const {
     const auto& baseline = context_.baseline.scenes[s];
     if (!baseline || baseline->images.empty() || !context_.references[other]) return false;
@@ -143,7 +143,7 @@ class SubmissionFlags {
            SceneVerdict::wrong;
   }
 
-  // A wrong image that is another scene's is no chance.
+  // A wrong image that equals another scene's is no chance.
   void image_of_other_scene(std::size_t s) {
     if (grade(s).verdict != SceneVerdict::wrong) return;
     for (std::size_t other = 0; other < context_.scenes.size(); ++other) {
@@ -167,8 +167,8 @@ const Image* first_image(const SubmissionWork& work, std::size_t s) {
   return work.scenes[s] && !work.scenes[s]->images.empty() ? &work.scenes[s]->images.front() : nullptr;
 }
 
-// Scenes on which two submissions share their noise. Without seeds, or from the baseline's random numbers, right
-// programs share it by right.
+// Scenes on which two submissions share their noise. Without seeds, or with the baseline's random numbers, right
+// programs may share it.
 std::vector<std::string> shared_noise(const FlagContext& context, const SubmissionWork& a, const SubmissionWork& b) {
   std::vector<std::string> names;
   const double step = step_of(context.assignment.image);

@@ -1,5 +1,5 @@
-// What the images of a submission show together, and those of the class: copies, ignored seeds, one image for several
-// scenes, right on the public scenes only.
+// Findings from all images of a submission together, and of the class: copies, ignored seeds, one image for several
+// scenes, right only on the public scenes.
 #pragma once
 
 #include <map>
@@ -11,7 +11,7 @@
 
 namespace photonproof::inline harness_grading {
 
-/// Everything about one submission, by scene of the assignment; empty where the scene is not graded.
+/// The work of one submission, by scene of the assignment; empty where the scene is not graded.
 struct SubmissionWork {
   SubmissionGrade grade;
   std::vector<std::optional<SceneWorkGrade>> scenes;
@@ -25,14 +25,14 @@ struct FlagContext {
   const SubmissionWork& baseline;
 };
 
-/// Adds flags. A copy of an image that was given out, or of the reference, makes the scene wrong; an image that is
-/// another scene's says so in the scene's sentence. To be called before points are given.
+/// Adds flags. A copy of an image that was given out, or of the reference, makes the scene wrong. The sentence of a
+/// scene whose image is another scene's names that scene. Call it before points are given.
 void flag_images(const FlagContext& context, SubmissionWork& work);
 
-/// The same of which scenes are right, once that will not change any more.
+/// Adds flags about the scenes that are right, once verdicts are final.
 void flag_verdicts(const FlagContext& context, SubmissionWork& work);
 
-/// The same of pairs: images with the same noise, which the baseline's image of that seed does not have.
+/// Adds flags to pairs with the same noise in their images, where the baseline's image of that seed has another noise.
 void flag_likenesses(const FlagContext& context, std::vector<SubmissionWork>& works);
 
 }  // namespace photonproof::inline harness_grading

@@ -7,7 +7,7 @@
 namespace photonproof::inline harness_grading {
 namespace {
 
-// These explain more than the scene at which they show first.
+// Flags that explain more than the first scene where they show.
 bool is_telling(const GradeFlag& flag) {
   return flag.kind == "copy-of-given" || flag.kind == "copy-of-reference" || flag.kind == "same-image" ||
          flag.kind == "copies-found" || flag.kind == "parameters-ignored" || flag.kind == "right-on-public-only" ||

@@ -7,13 +7,13 @@
 
 namespace photonproof::inline harness_grading {
 
-/// Of a scene: its share of the points for correctness, by weight among those that are used.
+/// Points of a scene: its share of the points for correctness, by weight among the used scenes.
 double scene_points(const Assignment& assignment, const std::vector<WorkScene>& scenes, const WorkScene& scene);
 
-/// Fills points of scenes and in all, once verdicts and speed are known.
+/// Fills in the points of scenes and their sum, once verdicts and speed are known.
 void give_points(const Assignment& assignment, const std::vector<WorkScene>& scenes, SubmissionGrade& grade);
 
-/// "does not build: ...", what was copied, the first scene that is not right, or how fast it is.
+/// "does not build: ...", the copied image, the first scene that is not right, or the speed.
 std::string first_sentence(const SubmissionGrade& grade);
 
 }  // namespace photonproof::inline harness_grading

@@ -21,7 +21,7 @@
 namespace photonproof::inline harness_grading {
 namespace {
 
-// Runs of another version of this code are made again.
+// Increase it whenever this code changes, so that runs are made again.
 constexpr const char* runs_version = "4";
 
 std::string limits_text(const AssignmentLimits& limits) {
@@ -34,7 +34,7 @@ std::string image_text(const AssignmentImage& image) {
                      image.bottom_up, image.scale);
 }
 
-// A picture that no metric may be computed of.
+// Refuses a picture for which no metric is defined.
 void refuse_bad_image(const WorkScene& scene, DrawnRun& cell) {
   if (!cell.image) return;
   std::string problem;
@@ -129,7 +129,7 @@ std::optional<DrawnRun> GradeRuns::find(const std::string& key) const {
       if (drawn.run.image.empty()) return drawn;
       drawn.image = read_image((folder_ / drawn.run.image).string());
       return values_checksum(*drawn.image) == drawn.run.checksum ? std::optional(std::move(drawn)) : std::nullopt;
-    } catch (const nlohmann::json::exception&) {  // damaged: the same to us as never made
+    } catch (const nlohmann::json::exception&) {  // a damaged record counts as none
       return std::nullopt;
     }
   });

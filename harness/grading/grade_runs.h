@@ -1,4 +1,4 @@
-// One run of a program on a scene, kept by all it follows from, so that an interrupted grading goes on where it was and
+// One run of a program on a scene, kept under all its inputs. An interrupted grading resumes from kept runs, and
 // references are made once.
 #pragma once
 
@@ -16,34 +16,34 @@
 namespace photonproof::inline harness_grading {
 
 struct GradeRunsOptions {
-  std::uint64_t seed = 1;  ///< of the session
-  int threads = 1;         ///< what programs are told
+  std::uint64_t seed = 1;  ///< Seed of the session.
+  int threads = 1;         ///< The number of threads given to programs.
   const std::atomic<bool>* interrupt = nullptr;
 };
 
 class GradeRuns {
  public:
-  /// `folder` is that of grades.json, which exists and is locked by the caller; receives cells/ (image_store.h).
+  /// `folder` is that of grades.json. It exists and is locked by the caller, and receives cells/ (image_store.h).
   GradeRuns(const Assignment& assignment, const SubmissionRunner& runner, const std::filesystem::path& folder,
             const GradeRunsOptions& options)
       : assignment_(assignment), runner_(runner), folder_(folder), store_(folder), options_(options) {}
 
-  /// Run number `number` of a purpose ("correctness", "reference"), which decides its seed: from a cell where `reuse`
-  /// says so, else anew. Several may run side by side; one that meets its limit on time in company is repeated alone
-  /// before that is said of it, and if other work had the machine meanwhile, once more with as much more time as it
-  /// takes to get what it would have of an idle one. Empty when interrupted.
+  /// Run number `number` of a purpose ("correctness", "reference"), which decides its seed: from a cell if `reuse` is
+  /// set, else anew. Several may run side by side. One that reaches its time limit beside others is repeated alone. If
+  /// other work used the machine meanwhile, it runs once more, with as much more time as its share of the machine
+  /// requires. Empty when interrupted.
   std::optional<DrawnRun> run(const PreparedSubmission& submission, const WorkScene& scene, const std::string& purpose,
                               std::size_t number, bool reuse);
 
-  /// As run number `number` of "correctness", but in the place where the one before it has run and may have left
-  /// files; its image, too, where the place is `littered`.
+  /// Like run number `number` of "correctness", but in the place of the previous run, which may have left files. If the
+  /// place is `littered`, that run's image is there, too.
   std::optional<DrawnRun> run_in_used_place(const PreparedSubmission& submission, const WorkScene& scene,
                                             std::size_t number, bool littered, bool reuse);
 
-  /// As `run`, always anew, alone and not kept: a timed one.
+  /// A timed run: like `run`, but always anew, alone and not kept.
   std::optional<DrawnRun> run_timed(const PreparedSubmission& submission, const WorkScene& scene, std::size_t number);
 
-  /// Of correctness and timed runs, and of references: never the same. A positive number of at most nine digits.
+  /// Seeds of correctness runs, timed runs and references: never equal. A positive number of at most nine digits.
   std::uint64_t seed_of(const std::string& purpose, std::size_t number) const;
 
   bool is_interrupted() const { return options_.interrupt != nullptr && *options_.interrupt; }
@@ -53,7 +53,7 @@ class GradeRuns {
                                    const SubmissionRunRequest& request, std::uint64_t seed, bool reuse);
   std::optional<DrawnRun> run_once(const PreparedSubmission& submission, const WorkScene& scene,
                                    const SubmissionRunRequest& request, std::uint64_t seed) const;
-  /// Alone among our own.
+  /// Runs beside the machine's other work, but alone among our own.
   std::optional<DrawnRun> run_beside_others(const PreparedSubmission& submission, const WorkScene& scene,
                                             SubmissionRunRequest request, std::uint64_t seed) const;
   std::string key_of(const PreparedSubmission& submission, const SubmissionRunRequest& request) const;

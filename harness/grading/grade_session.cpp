@@ -29,7 +29,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A file's name without what says that it is an archive.
+/// A file's name without the extensions of archives.
 std::string submission_name(const fs::path& source) {
   std::string name = fs::absolute(source).lexically_normal().filename().string();
   if (name.empty()) name = fs::absolute(source).lexically_normal().parent_path().filename().string();
@@ -119,7 +119,7 @@ class Session {
     if (works_.empty()) throw InputError("--only", "no submission's name contains '" + options_.only + "'");
   }
 
-  // What was handed in twice, or is the baseline, is built once.
+  // A program that was submitted twice, or is the baseline, is built once.
   PreparedSubmission prepare(const std::string& name, const fs::path& source, const std::string& folder) {
     options_.progress("building " + name);
     PreparedSubmission taken = runner_.take(name, source, options_.folder / folder / "program");
@@ -204,7 +204,7 @@ class Session {
     write_png((options_.folder / record.reference_picture).string(), reference.rendering.mean);
   }
 
-  // Whether a program heeds its seed and calculates every time is seen on the first public scene.
+  // The first public scene shows whether a program uses its seed and computes every time.
   SceneGradingOptions grading_options(std::size_t s) const {
     const auto first = std::ranges::find_if(scenes_, [](const WorkScene& scene) { return scene.unused.empty(); });
     const bool is_first = s == static_cast<std::size_t>(first - scenes_.begin());
@@ -283,7 +283,7 @@ class Session {
     });
   }
 
-  // From the work to the record.
+  // Copies the work into the record.
   void collect(SubmissionWork& work) const {
     work.grade.scenes.clear();
     for (std::size_t s = 0; s < scenes_.size(); ++s) {

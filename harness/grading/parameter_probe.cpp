@@ -9,7 +9,7 @@
 namespace photonproof::inline harness_grading {
 namespace {
 
-// Of findings that say how much light there is, how well it is drawn, or that paths end too soon to bring it.
+// True for findings about the amount of light, its noise or detail, or paths that end too soon.
 bool may_come_of_parameters(std::string_view kind) {
   constexpr std::array<std::string_view, 6> kinds{"noise", "fireflies", "coarse", "blurred", "differs", "exposure"};
   constexpr std::array<std::string_view, 4> ends{"-energy", "-missing", "brightness", "-black"};
@@ -46,7 +46,7 @@ void ParameterProbe::flag(const PreparedSubmission& prepared, SubmissionWork& wo
       !may_come_of_parameters(grade.findings.front().kind))
     return;
   const std::optional<Image>& again = work.scenes[scene_]->in_littered_place;
-  if (again && again->rgb != work.scenes[scene_]->images[1].rgb) return;  // other bits every time
+  if (again && again->rgb != work.scenes[scene_]->images[1].rgb) return;  // different bits every time
   if (!draws_the_same(prepared, work) || baseline_draws_the_same_.get()) return;
   work.grade.flags.push_back({"parameters-ignored",
                               "the same image with other parameters: files that the assignment puts in place of the "

@@ -1,5 +1,5 @@
-// Do a submission's images follow from the files that staff put over its own before the build, as a header of
-// parameters? Built once more with its own files, it must draw another image.
+// Tests whether a submission uses the files that staff put over its own before the build, such as a header of
+// parameters. Built once more with its own files, it must draw another image.
 #pragma once
 
 #include "harness/diagnosis/lazy.h"
@@ -10,13 +10,13 @@ namespace photonproof::inline harness_grading {
 
 class ParameterProbe {
  public:
-  /// `reuse`: runs that an interrupted grading left.
+  /// `reuse`: use the runs of an interrupted grading.
   ParameterProbe(const FlagContext& context, const SubmissionRunner& runner, GradeRuns& runs,
                  const PreparedSubmission& baseline, bool reuse);
 
-  /// Adds the flag "parameters-ignored" where a submission is wrong on the first scene as too few photons or too low a
-  /// depth may be wrong, and draws that image bit for bit with its own files, too, though the baseline does not. Builds
-  /// and runs; to be called when scenes have their findings. Threads may call it side by side, of different ones.
+  /// Adds the flag "parameters-ignored" to a submission whose first scene is wrong in a way that parameters explain.
+  /// With its own files, too, it must draw that image bit for bit, while the baseline does not. Builds and runs; call
+  /// it once scenes have their findings. Threads may call it at once for different submissions.
   void flag(const PreparedSubmission& prepared, SubmissionWork& work) const;
 
  private:
@@ -26,7 +26,7 @@ class ParameterProbe {
   const SubmissionRunner& runner_;
   GradeRuns& runs_;
   bool reuse_;
-  std::size_t scene_ = 0;  ///< the first one that is graded
+  std::size_t scene_ = 0;  ///< the first graded scene
   Lazy<bool> baseline_draws_the_same_;
 };
 

@@ -10,7 +10,7 @@
 namespace photonproof::inline harness_grading {
 namespace {
 
-/// What a right program's picture never shows, other than its noise.
+/// True for findings that a right program's picture never has, other than noise.
 bool is_mistake(const Finding& finding) { return finding.kind != "noise" && finding.kind != "fireflies"; }
 
 bool is_undecided(const GradedCheck& check) { return check.side == GradedCheck::Side::undecided; }
@@ -48,7 +48,7 @@ std::vector<Finding> SceneFindings::found_in(const Image& image, std::size_t sce
   const SceneKnowledge& known = knowledge(scene);
   try {
     return find(image, known);
-  } catch (const InputError& error) {  // a render failed: sentences then go without what the light is made of
+  } catch (const InputError& error) {  // a render failed: sentences then do without the scene's light
     {
       const std::lock_guard lock(telling_);
       failures_.emplace(scene, error.what());
@@ -74,7 +74,7 @@ std::vector<Finding> SceneFindings::mistakes_in(const SceneWorkGrade& work, std:
   std::vector<const Image*> images;
   for (const Image& image : work.images) images.push_back(&image);
   const bool by_noise = std::ranges::any_of(work.grade.checks, is_undecided);
-  // Their mean has less noise than each.
+  // The mean has less noise than each image.
   std::vector<Finding> findings = found_in(mean_of(images), scene, by_noise ? diagnose : find_hidden_mistake);
   std::erase_if(findings, [](const Finding& finding) { return !is_mistake(finding); });
   return findings;
@@ -83,8 +83,8 @@ std::vector<Finding> SceneFindings::mistakes_in(const SceneWorkGrade& work, std:
 void SceneFindings::add(std::size_t scene, SceneWorkGrade& work) {
   if (work.grade.verdict == SceneVerdict::failed || work.images.empty() || !references_[scene]) return;
   std::vector<Finding> findings = mistakes_in(work, scene);
-  // The page then shows the picture of what differs, and claims nothing. A scene that is wrong for another reason, such
-  // as an image that is copied, has its sentence.
+  // The page then shows the picture of the differences without a cause. A scene that is wrong for another reason, such
+  // as a copied image, has its own sentence.
   if (findings.empty() && std::ranges::any_of(work.grade.checks, is_outside))
     findings.push_back({"differs",
                         "differs here, not explained",

@@ -1,4 +1,4 @@
-// What is wrong with images that are not right, in sentences (harness/diagnosis).
+// The defects of wrong images, in sentences (harness/diagnosis).
 #pragma once
 
 #include <deque>
@@ -29,12 +29,12 @@ class SceneFindings {
         progress_(std::move(progress)),
         known_(scenes.size()) {}
 
-  /// Adds findings where the scene's verdict is wrong; where it is not, a mistake that is hidden by noise or by wide
-  /// bounds and found all the same makes it wrong. What is known of a scene is rendered when an image of it needs it.
-  /// Threads may call it side by side.
+  /// Adds findings where the scene's verdict is wrong. A scene with another verdict becomes wrong if a mistake is found
+  /// that noise or wide bounds hide. The knowledge of a scene is rendered when an image first needs it. Threads may
+  /// call it at once.
   void add(std::size_t scene, SceneWorkGrade& work);
 
-  /// Of scenes whose light could not be rendered, so that sentences go without: a sentence each.
+  /// Scenes whose light could not be rendered, so that their sentences do without it: a sentence each.
   std::vector<std::string> problems() const;
 
  private:

@@ -40,13 +40,13 @@ TEST(SceneFindings, a_failed_render_leaves_plainer_sentences_and_is_told_once_a_
               testing::StartsWith("what is said of scene 'room' goes without what its light is made of: "));
 }
 
-// The reference is a mean of many renders, so it has less noise than the baseline's render, whose samples are counted.
-// Noise of deviation s in n samples is s sqrt(8) in n/8 of them.
+// The reference is a mean of many renders with less noise than the baseline's render, whose samples are counted. Noise
+// of deviation s in n samples is s sqrt(8) in n/8 of them.
 TEST(SceneFindings, noise_is_told_in_samples_of_the_baseline) {
   const auto noisy = [](double deviation, std::uint64_t seed) {
     Image image(64, 64);
     for (std::size_t i = 0; i < image.rgb.size(); ++i) {
-      double noise = 0;  // of 12 uniform numbers: variance 1
+      double noise = 0;  // from 12 uniform numbers: variance 1
       for (std::uint64_t k = 0; k < 12; ++k)
         noise += static_cast<double>(splitmix64(seed * 1000 + k, i) >> 11) * 0x1p-53 - 0.5;
       image.rgb[i] = static_cast<float>(0.5 + deviation * noise);

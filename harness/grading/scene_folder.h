@@ -10,11 +10,11 @@ namespace photonproof::inline harness_grading {
 
 struct SceneFolder {
   std::filesystem::path path;  ///< empty: none
-  std::string checksum;        ///< of all that is in it
+  std::string checksum;        ///< checksum of all its files
 };
 
-/// Makes the folder, in place of what is there. Files have numbers for names, which say nothing of a hidden scene.
-/// Throws InputError for what cannot be read or written.
+/// Makes the folder, replacing an old one. Files have numbers for names, which reveal nothing of a hidden scene. Throws
+/// InputError for files that cannot be read or written.
 SceneFolder make_scene_folder(SceneDescription scene, const std::filesystem::path& folder);
 
 }  // namespace photonproof::inline harness_grading

@@ -1,4 +1,4 @@
-// What programs are given of scenes with files renders to the same bits as the scene itself.
+// The folder that programs get for a scene with files renders to the same bits as the scene itself.
 
 #include "harness/grading/scene_folder.h"
 

@@ -9,7 +9,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// "crashed: killed by SIGSEGV: what it said last"
+// "crashed: killed by SIGSEGV: its last line"
 std::string failure_sentence(const GradedRun& run) {
   std::string words = printable(last_line(run.log_tail));
   if (words.size() > 200) words = printable(words.substr(0, 197)) + "...";

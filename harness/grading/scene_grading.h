@@ -1,5 +1,4 @@
-// A submission's images of one scene: drawn until the verdict is decided, with its pictures and what is wrong with
-// them.
+// A submission's images of one scene: drawn until the verdict is decided, with pictures and findings.
 #pragma once
 
 #include <filesystem>
@@ -16,18 +15,18 @@ namespace photonproof::inline harness_grading {
 struct SceneWorkGrade {
   SceneGrade grade;
   std::vector<Image> images;
-  /// The second one again, where the first run may have left files, and where its image lies, too. The former is drawn
-  /// only where the latter is the first one.
+  /// The second image again: in a place where the first run may have left files, and in one where its image lies, too.
+  /// The former is drawn only where the latter equals the first image.
   std::optional<Image> in_used_place, in_littered_place;
 
-  /// There are images of two seeds, and they differ.
+  /// True if there are images of two seeds, and they differ.
   bool seed_shows() const { return images.size() > 1 && images[0].rgb != images[1].rgb; }
 };
 
 struct SceneGradingOptions {
-  std::size_t least_images = 1;  ///< so many at least: two tell whether the seed is heeded
-  bool in_used_place = false;    ///< and whether a run uses what another has left, or any image that lies around
-  bool reuse = false;            ///< runs that an interrupted grading left
+  std::size_t least_images = 1;  ///< The least number of images: two show whether the seed is used.
+  bool in_used_place = false;    ///< Also tests whether a run uses another run's files or image.
+  bool reuse = false;            ///< Uses the runs of an interrupted grading.
 };
 
 /// Empty when interrupted.
@@ -35,7 +34,7 @@ std::optional<SceneWorkGrade> grade_scene(const Assignment& assignment, const Pr
                                           const WorkScene& scene, const SceneReference& reference, GradeRuns& runs,
                                           const SceneGradingOptions& options);
 
-/// The first image and its flip map as PNGs in `place`, relative to `folder`; into grade.pictures.
+/// Writes the first image and its flip map as PNGs to `place`, relative to `folder`, and sets grade.pictures.
 void store_scene_pictures(const std::filesystem::path& folder, const std::string& place,
                           const SceneReference& reference, SceneWorkGrade& work);
 

@@ -13,13 +13,13 @@
 namespace photonproof::inline harness_grading {
 namespace {
 
-constexpr double level = 0.01;  // of a metric's interval, two-sided
+constexpr double level = 0.01;  // two-sided level of a metric's interval
 constexpr const char* blocks_check = "blocks";
-constexpr double near_share = 0.25;  // of the bound's scale: nearer values need more than one image
+constexpr double near_share = 0.25;  // fraction of the bound's scale: values nearer than this need more than one image
 
 using Side = GradedCheck::Side;
 
-// What a quarter of is near: a bound of 0.95 on ssim is as strict as one of 0.05 on its distance from 1.
+// The scale of a bound: a bound of 0.95 on ssim is as strict as one of 0.05 on its distance from 1.
 double scale_of_bound(const MetricBound& bound) {
   if (bound.metric->bound != BoundKind::minimum) return std::abs(bound.bound);
   return bound.bound <= 1 ? 1 - bound.bound : 20;
@@ -50,7 +50,7 @@ GradedCheck check_metric(const MetricBound& bound, const Image& reference, std::
   std::vector<double> values;
   for (const Image* image : images) {
     const std::vector<MetricValue> found = compute_metrics(reference, *image, {.only = {check.metric}});
-    if (found.empty()) continue;  // an infinite psnr: equal once encoded
+    if (found.empty()) continue;  // an infinite psnr: images that are equal once encoded
     values.push_back(found.front().value);
     check.parameters = found.front().parameters;
   }
@@ -71,7 +71,7 @@ GradedCheck check_metric(const MetricBound& bound, const Image& reference, std::
   return check;
 }
 
-// Where no image can be added, the one there is has no noise that could be known: its value decides.
+// Where there can be no second image, noise is unknown, and the image's value decides.
 void decide_by_value(const MetricBound& bound, GradedCheck& check) {
   if (check.side != Side::undecided) return;
   check.side = side_of_interval(bound, check.value.value, check.value.value);
@@ -83,7 +83,7 @@ GradedCheck check_blocks(const BlockBound& bound, const SceneReference& referenc
   check.metric = blocks_check;
   check.bound = bound.relative;
   check.parameters = fmt::format("alpha={:.3g}", bound.alpha);
-  // One image alone stands for a program without noise, until there is a second one.
+  // A single image stands for a program without noise until there is a second one.
   const std::array<const Image*, 2> pair{images.front(), images.front()};
   if (images.size() == 1) images = pair;
   const Deviations deviations =
@@ -101,8 +101,8 @@ bool are_all_alike(std::span<const Image* const> images) {
   return std::ranges::all_of(images, [&](const Image* image) { return image->rgb == images.front()->rgb; });
 }
 
-/// Blocks convict or do not: where they are too noisy to tell, more images seldom help, and diagnosis, which knows what
-/// mistakes look like, sees more (scene_findings.h).
+/// Undecided blocks do not count: where they are too noisy, more images seldom help. Diagnosis, which knows the
+/// patterns of mistakes, then finds more (scene_findings.h).
 bool has_side(const std::vector<GradedCheck>& checks, Side side) {
   return std::ranges::any_of(checks, [&](const GradedCheck& check) {
     return check.side == side && (side == Side::outside || check.metric != blocks_check);
@@ -152,12 +152,12 @@ SceneJudgement judge_scene(const CorrectnessRule& rule, const SceneReference& re
     if (!may_draw && images.size() == 1) decide_by_value(bound, check);
     judgement.checks.push_back(std::move(check));
   }
-  // What the metrics refuse needs no more images.
+  // An image that a metric rejects needs no further images.
   const bool is_refused = has_side(judgement.checks, Side::outside);
   bool needs_second = false;
   if (rule.blocks && !is_refused) {
     judgement.checks.push_back(check_blocks(*rule.blocks, reference, images));
-    // How noisy the program is cannot be seen in one image: that one off may be chance.
+    // One image does not show the program's noise: a block that is outside may be chance.
     needs_second = images.size() == 1 && judgement.checks.back().side == Side::outside;
   }
   const bool has_no_noise = images.size() > 1 && are_all_alike(images);

@@ -1,15 +1,15 @@
-// Is the image of a scene right? Decided from the images that there are so far; or more are asked for, with other
-// seeds. The rules are fixed, so that grading again gives the same verdict:
+// Decides whether the image of a scene is right, from the images so far, or requests more with other seeds. The rules
+// are fixed, so that grading again gives the same verdict:
 //
-// - A metric's value is its mean over the images. One image decides where it is not near the bound, that is, not within
-//   a quarter of the bound (of 1 - bound, for what is at most 1, and of 20 for decibels). Else images are added until
-//   the 99 % interval of the mean (Student's t) lies on one side; images that are all alike, as a program without
-//   random numbers gives them, have no noise, and the value itself decides.
-// - Blocks of 8 x 8 pixels are judged by gates' statistics (judge_bias): wrong where one is off by more than the bound
-//   for certain, given the noise of both sides, which takes two images to be known. Where noise hides it, diagnosis
-//   decides (scene_findings.h).
-// - When the most images an assignment pays for leave it open, the verdict is "borderline", which counts as right:
-//   nothing was proven.
+// * A metric's value is its mean over the images. One image decides where its value is at least a quarter of the bound
+//   away from it. The quarter is of 1 - bound for minima of at most 1, and of 20 for decibels. Near values need more
+//   images, until the 99 % interval of the mean (Student's t) lies on one side. Images that are all equal, as without
+//   random numbers, have no noise, and the value itself decides.
+// * Blocks of 8 x 8 pixels are judged by gates' statistics (judge_bias). The image is wrong where one surely deviates
+//   by more than the bound, given the noise of both sides. It takes two images to estimate that noise. Where noise
+//   hides an error, diagnosis decides (scene_findings.h).
+// * An image still open after the assignment's maximum of images is "borderline". That counts as right: nothing was
+//   proven.
 #pragma once
 
 #include <span>
@@ -25,17 +25,17 @@ namespace photonproof::inline harness_grading {
 /// A scene's reference: the mean of independent images and the variance of that mean.
 struct SceneReference {
   Rendering rendering;
-  int images = 1;      ///< whose mean it is
-  double freedom = 1;  ///< degrees of freedom of the variance
-  std::string text;    ///< "mean of 8 runs of the baseline"
+  int images = 1;      ///< Number of images in the mean.
+  double freedom = 1;  ///< Degrees of freedom of the variance.
+  std::string text;    ///< "mean of 8 runs of the baseline".
 };
-/// Of one of the images that it is the mean of.
+/// The variance of one of the images in the mean.
 Image variance_of_one(const SceneReference& reference);
 
 struct SceneJudgement {
-  bool decided = false;  ///< false: another image may change it
+  bool decided = false;  ///< False: another image may change it.
   SceneVerdict verdict = SceneVerdict::borderline;
-  std::string sentence;  ///< which bound is broken, and how
+  std::string sentence;  ///< The bound that is broken, and how.
   std::vector<GradedCheck> checks;
 };
 
@@ -43,7 +43,7 @@ struct SceneJudgement {
 SceneJudgement judge_scene(const CorrectnessRule& rule, const SceneReference& reference,
                            std::span<const Image* const> images, bool may_draw);
 
-/// The share of a scene's points, in [0, 1], that wrong images keep: by the metric's mean magnitude over them. 0
+/// The share in [0, 1] of a scene's points that wrong images keep, by the metric's mean magnitude over them. It is 0
 /// without a rule or images, and where the metric is undefined.
 double partial_share(const CorrectnessRule& rule, const SceneReference& reference,
                      std::span<const Image* const> images);

@@ -17,7 +17,7 @@ constexpr int side = 32;
 Image noisy_image(std::uint64_t seed, double gain = 1, double deviation = 0.03) {
   Image image(side, side);
   for (std::size_t i = 0; i < image.rgb.size(); ++i) {
-    double noise = 0;  // of 12 uniform numbers: variance 1
+    double noise = 0;  // from 12 uniform numbers: variance 1
     for (std::uint64_t k = 0; k < 12; ++k)
       noise += static_cast<double>(splitmix64(seed * 1000 + k, i) >> 11) * 0x1p-53 - 0.5;
     const double clean = 0.2 + 0.4 * static_cast<double>(i % (3 * side)) / (3 * side);
@@ -65,8 +65,8 @@ TEST(SceneJudge, near_a_bound_more_images_are_asked_for) {
 }
 
 // The 99 % interval of a metric's mean is Student's: mean +- t s / sqrt(n), for n = 3 with t(.995, 2) = 9.925 (any
-// table of quantiles). Without 1/sqrt(n), with a divisor n for n - 1, or with one degree of freedom more it is 73, 18
-// or 41 % off.
+// table of quantiles). It is 73 % off without 1/sqrt(n), 18 % with a divisor n for n - 1, and 41 % with one more degree
+// of freedom.
 TEST(SceneJudge, the_interval_of_a_metric_is_of_its_mean) {
   std::vector<Image> images;
   std::vector<double> values;
@@ -83,7 +83,7 @@ TEST(SceneJudge, the_interval_of_a_metric_is_of_its_mean) {
   EXPECT_NEAR(mean - check.value.interval->low, margin, 0.001 * margin);
 }
 
-// An image 30 % too dark has a bias of -.3, half of the way from .1 to .5, by definition; its noise is 1 % of that.
+// An image 30 % too dark has a bias of -.3, halfway between .1 and .5, by definition; its noise is 1 % of that.
 TEST(SceneJudge, a_wrong_image_keeps_its_share_of_the_points) {
   CorrectnessRule by = rule(0.3, 0);
   const auto share = [&](double gain) {
@@ -126,7 +126,7 @@ TEST(SceneJudge, a_uniform_loss_beyond_the_blocks_bound_is_wrong) {
   EXPECT_NE(judge(rule(0, 0.4), images).verdict, SceneVerdict::wrong);
 }
 
-// 8 x 8 pixels of deviation s have a mean known to about s/8: blocks cannot tell 2 % in images whose noise is 20 %.
+// The mean of 8 x 8 pixels of deviation s is known to about s/8: blocks do not show 2 % in images whose noise is 20 %.
 TEST(SceneJudge, blocks_too_noisy_to_tell_are_right_and_may_hide_a_mistake) {
   std::vector<Image> images;
   for (std::uint64_t k = 0; k < 4; ++k) images.push_back(noisy_image(10 + k, 1, 0.2));

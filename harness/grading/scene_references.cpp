@@ -20,10 +20,10 @@
 namespace photonproof::inline harness_grading {
 namespace {
 
-// Degrees of freedom of a variance that is known to be none.
+// Degrees of freedom of a variance that is known to be 0.
 constexpr double no_noise_freedom = 1e6;
 
-// One render of a program without randomness is its reference. The second one proves that.
+// One render of a program without randomness is its reference. A second, equal one proves that.
 SceneReference only_reference(const WorkScene& scene, const std::vector<Image>& images, std::string text) {
   if (images[0].rgb != images[1].rgb)
     throw InputError("baseline", "gives two images of scene '" + scene.row.name +
@@ -46,12 +46,12 @@ SceneReference file_reference(const WorkScene& scene) {
                                scene.row.name + "' has " + size_text(scene.width, scene.height));
   if (const auto defects = find_defects(rendering.mean, rendering.mean); !defects.empty())
     throw InputError(file, defects.front().sentence);
-  // Without a variance the file is taken for the truth.
+  // A file without a variance counts as exact.
   if (!rendering.variance) rendering.variance = Image(scene.width, scene.height);
   return {std::move(rendering), 1, no_noise_freedom, scene.row.reference.filename().string()};
 }
 
-// As a format clamps it.
+// Clamps the image as its format does.
 void clamp_image(const AssignmentImage& format, Image& image) {
   if (!format.is_clamped()) return;
   const auto white = static_cast<float>(1 / format.scale);

@@ -1,5 +1,5 @@
-// What images of each scene are compared with: the mean of independent renders by the baseline or by an engine of ours,
-// with the variance of that mean, or a file of staff's.
+// The references of scenes. Each is the mean of independent renders by the baseline or by one of our engines, with the
+// variance of that mean, or a file from staff.
 #pragma once
 
 #include <filesystem>
@@ -19,15 +19,15 @@ struct ReferenceWork {
   const std::vector<WorkScene>& scenes;
   const PreparedSubmission& baseline;
   GradeRuns& runs;
-  OwnEngine engine;   ///< where references are by one
-  int processes = 1;  ///< side by side
+  OwnEngine engine;   ///< for references by an engine
+  int processes = 1;  ///< number of processes at once
   std::uint64_t seed = 1;
   bool reuse = true;
   std::function<void(const std::string&)> progress;
 };
 
-/// One a scene; none for scenes that are not used. Empty when interrupted. Throws InputError where a reference cannot
-/// be made: without it nobody can be graded.
+/// One reference a scene; none for unused scenes. Empty when interrupted. Throws InputError where a reference cannot be
+/// made: grading needs it.
 std::optional<std::vector<std::optional<SceneReference>>> make_scene_references(const ReferenceWork& work);
 
 }  // namespace photonproof::inline harness_grading

@@ -10,13 +10,13 @@
 namespace photonproof::inline harness_grading {
 namespace {
 
-// A tier that so narrow an interval reaches counts; by a wider one only the tier that is certain does.
+// A tier counts if an interval of at most this width reaches it; with a wider one only the certain tier counts.
 constexpr double generous_width = 0.5;
-constexpr double speed_tail = 0.005;  // a side, of all looks together
+constexpr double speed_tail = 0.005;  // tail probability of each side, for all looks together
 
 std::size_t next_look(std::size_t rounds) { return (3 * rounds + 1) / 2; }
 
-// Those that may be taken within so many rounds, the last one always among them.
+// The number of looks within this many rounds, always including the last round.
 int looks_within(std::size_t most) {
   int looks = 1;
   for (std::size_t rounds = least_speed_rounds; rounds < most; rounds = next_look(rounds)) ++looks;
@@ -25,7 +25,7 @@ int looks_within(std::size_t most) {
 
 bool is_quiet(const SpeedRound& round, int cores) { return round.busy <= tolerated_busy_share * cores; }
 
-// Of the logarithms; no interval from one value.
+// The estimate from logarithms of ratios; no interval for one value.
 Estimate ratio_estimate(const std::vector<double>& logarithms, double tail) {
   const auto n = static_cast<double>(logarithms.size());
   double mean = 0, squares = 0;
@@ -45,21 +45,21 @@ std::vector<double> logarithms_of(const std::vector<const SpeedRound*>& rounds, 
   return values;
 }
 
-// The tier whose beginning the interval holds.
+// The tier whose beginning lies within the interval.
 const SpeedTier* open_tier(const PerformanceRule& rule, const Interval& interval) {
   for (const SpeedTier& tier : rule.tiers)
     if (interval.low < tier.ratio && tier.ratio <= interval.high) return &tier;
   return nullptr;
 }
 
-// A score by a curve follows from the number itself.
+// With a curve the score follows from the ratio itself.
 std::optional<double> precision_of(const PerformanceRule& rule) {
   return !rule.precision && rule.curve ? std::optional(narrow_width) : rule.precision;
 }
 
 double relative_width(const Interval& interval) { return interval.high / interval.low - 1; }
 
-// A number that is known to 2 % is said as one, another by the ends that it lies between.
+// A ratio known to 2 % is printed as one number, another one by the ends of its interval.
 std::string ratio_sentence(const Estimate& ratio) {
   if (!ratio.interval) return fmt::format("{:.3g} times as fast as the baseline", ratio.value);
   const auto [low, high] = *ratio.interval;
@@ -83,7 +83,7 @@ bool is_wide(const SpeedGrade& grade) {
          (!grade.speedup.interval || relative_width(*grade.speedup.interval) > generous_width);
 }
 
-// The speed-up that points are given for. A program must not profit from noise, its own or the machine's.
+// The speed-up that earns points. A program must not profit from noise, its own or the machine's.
 double counted_ratio(const SpeedGrade& grade, const SpeedTier* open) {
   if (is_wide(grade)) return grade.speedup.interval ? grade.speedup.interval->low : 0;
   return open != nullptr ? open->ratio : grade.speedup.value;

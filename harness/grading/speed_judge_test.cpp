@@ -16,7 +16,7 @@ PerformanceRule tiers() {
   return rule;
 }
 
-// Rounds of one scene: ratios of the baseline's time, 8 s, to its own.
+// Rounds of one scene with these ratios of the baseline's time, 8 s, to the submission's.
 std::vector<SpeedRound> rounds_of(const std::vector<double>& ratios, double busy = 0) {
   std::vector<SpeedRound> rounds;
   for (const double ratio : ratios) rounds.push_back({{8}, {8 / ratio}, busy});
@@ -28,9 +28,9 @@ TEST(SpeedJudge, is_decided_when_the_interval_lies_in_one_tier) {
   EXPECT_TRUE(judgement.decided);
   EXPECT_EQ(judgement.grade.state, SpeedGrade::State::measured);
   EXPECT_EQ(judgement.grade.points, 20);
-  // Logarithms of 3.95, 4, 4.05: mean ln 3.99979, standard deviation 0.012501. Of at most 12 rounds there are four
-  // looks, at 3, 5, 8 and 12: t at 0.5 % / 4 with 2 degrees of freedom is 19.962: times exp(19.962 0.012501 / sqrt 3)
-  // = 1.155.
+  // Logarithms of 3.95, 4, 4.05: mean ln 3.99979, standard deviation 0.012501. At most 12 rounds have four looks, at 3,
+  // 5, 8 and 12. The t quantile at 0.5 % / 4 with 2 degrees of freedom is 19.962, a factor of exp(19.962 0.012501 /
+  // sqrt 3) = 1.155.
   EXPECT_NEAR(judgement.grade.speedup.value, 3.99979, 1e-4);
   EXPECT_NEAR(judgement.grade.speedup.interval->high / judgement.grade.speedup.value, 1.155, 0.001);
   EXPECT_EQ(judgement.grade.sentence, "about 4 times as fast as the baseline, between 3.46 and 4.62");
@@ -46,8 +46,8 @@ TEST(SpeedJudge, decides_at_looks_only_and_after_the_last_round) {
   EXPECT_EQ(looks, (std::vector<std::size_t>{3, 5, 8, 12, 18}));
 }
 
-// Who is exactly at a tier's beginning, with noise of 5 % a round, must not be decided on either side, but for 1 time
-// in 100; looking after each round with intervals of 99 % each would decide some 5 in 100.
+// A submission exactly at a tier's beginning, with noise of 5 % a round, must be decided in at most 1 of 100 cases.
+// Looks after each round with intervals of 99 % each would decide some 5 of 100.
 TEST(SpeedJudge, looking_often_does_not_decide_what_is_at_a_tiers_beginning) {
   int decided = 0;
   constexpr int sessions = 4000;
@@ -63,7 +63,7 @@ TEST(SpeedJudge, looking_often_does_not_decide_what_is_at_a_tiers_beginning) {
       if (judgement.grade.state == SpeedGrade::State::measured && is_over) ++decided;
     }
   }
-  // 40 are expected at most; 60 are three standard deviations more.
+  // At most 40 are expected; 60 are three standard deviations more.
   EXPECT_LE(decided, 60);
   EXPECT_GE(decided, 5);
 }
@@ -134,7 +134,7 @@ TEST(SpeedJudge, a_curve_wants_an_interval_of_two_percent) {
   EXPECT_FALSE(judge_speed(rule, {"a"}, rounds_of({3.9, 4, 4.1}), 2, false).decided);
   const SpeedJudgement judgement = judge_speed(rule, {"a"}, rounds_of({3.999, 4, 4.001}), 2, false);
   EXPECT_TRUE(judgement.decided);
-  // 4 is half of 16's way, by the logarithm.
+  // 4 is halfway to 16, by the logarithm.
   EXPECT_NEAR(judgement.grade.points, 30, 0.01);
 }
 

@@ -11,7 +11,7 @@
 namespace photonproof::inline harness_grading {
 namespace {
 
-// A quick submission is run as often as takes this share of the baseline's time, at most so many times.
+// A fast submission runs repeatedly for this share of the baseline's time, at most `most_repeats` times.
 constexpr double share_of_baseline = 0.25;
 constexpr double most_repeats = 5;
 
@@ -65,7 +65,7 @@ class Rounds {
     return one;
   }
 
-  // Programs and their files come from disk the first time, and how often each is run depends on how long it takes.
+  // The first runs read programs and files from disk. Their times give the number of repeats.
   void warm_up() {
     session_.progress("timing: warming up");
     baseline_seconds_.assign(session_.scenes.size(), 0);

@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Names and contents, in their order.
+// Adds the names and contents of a tree, in order.
 void add_tree(const fs::path& tree, std::vector<std::pair<std::string, std::string>>& parts) {
   std::vector<std::pair<std::string, std::string>> files;
   for (const auto& entry : fs::recursive_directory_iterator(tree)) {
@@ -88,7 +88,7 @@ ImageDeclaration declaration_of(const AssignmentImage& image, int width, int hei
   return declaration;
 }
 
-// Whether a file of the one tree is another in the other tree, or is not there.
+// Whether any file of one tree differs in the other tree or is missing there.
 bool any_file_differs(const fs::path& tree, const fs::path& other) {
   for (const fs::directory_entry& entry : fs::recursive_directory_iterator(tree)) {
     if (!entry.is_regular_file()) continue;
@@ -98,7 +98,7 @@ bool any_file_differs(const fs::path& tree, const fs::path& other) {
   return false;
 }
 
-// Written beside built/ when that is whole.
+// Written beside built/ once that is complete.
 constexpr const char* kept_build = "built.json";
 
 void keep_build(const PreparedSubmission& submission) {
@@ -109,7 +109,7 @@ void keep_build(const PreparedSubmission& submission) {
   write_file_atomically(submission.folder.parent_path() / kept_build, json_text(json));
 }
 
-// What is damaged is built again.
+// A damaged build is made again.
 bool take_kept_build(PreparedSubmission& submission) {
   const fs::path file = submission.folder.parent_path() / kept_build;
   if (!fs::exists(file) || !fs::is_directory(submission.folder)) return false;
@@ -133,7 +133,7 @@ SubmissionRunner::SubmissionRunner(const Assignment& assignment, const Submissio
   if (!options.contained) return;
   if (const auto why = why_no_sandbox())
     throw InputError("sandbox", *why + "; --no-sandbox runs submissions without one, at your risk");
-  // What every submission can read holds no hidden scenes.
+  // Folders that every submission can read must not hold hidden scenes.
   if (is_part_of_system(assignment.folder))
     throw InputError(assignment.folder.string(),
                      "is part of the system, which submissions can read: put the assignment elsewhere");

@@ -1,4 +1,4 @@
-// A course of shell scripts, whose images are a scene's gradient and noise by the seed; test code only.
+// A course of shell scripts, for tests only. Their images are a scene's gradient plus noise by the seed.
 #pragma once
 
 #include <filesystem>
@@ -16,7 +16,7 @@ class CourseTest : public FolderTest {
     put("course.toml", course_text());
   }
 
-  /// A submission: `first` is run before its picture, brighter by `gain`, is made of $1 scene, $2 seed and $3 file.
+  /// A submission: runs `first`, then makes its picture, brighter by `gain`, from $1 scene, $2 seed and $3 file.
   void put_program(const std::string& name, double gain, const std::string& first = "") const {
     std::filesystem::create_directories(folder_ / name);
     put(name + "/render",

@@ -1,4 +1,4 @@
-// The program itself, with a class of shell scripts: grading goes on whatever they do, and after it was killed.
+// Tests the program with a class of shell scripts: grading continues whatever they do, and after it was killed.
 
 #include <gmock/gmock.h>
 
@@ -57,8 +57,8 @@ TEST_F(GradeVerb, a_right_and_quick_submission_has_its_points) {
   const SubmissionGrade& honest = all.submissions.at(0);
   for (const SceneGrade& scene : honest.scenes) EXPECT_EQ(scene.verdict, SceneVerdict::right) << scene.sentence;
   EXPECT_EQ(honest.correctness_points, 40);
-  // The baseline sleeps longer than it computes; on a busy machine the verdict is "too noisy" and the points are
-  // those of the same tier.
+  // The baseline sleeps longer than it computes. On a busy machine the verdict is "too noisy", with the points of the
+  // same tier.
   EXPECT_GT(honest.speed.speedup.value, 1.5) << honest.speed.sentence;
   EXPECT_EQ(honest.speed.points, 20) << honest.speed.sentence;
   EXPECT_TRUE(has("out/gradebook.csv"));
@@ -110,7 +110,7 @@ TEST_F(GradeVerb, one_image_for_two_scenes_is_named) {
   EXPECT_EQ(all.submissions[0].sentence, "hidden scene b: same image as scene a's");
 }
 
-// In a folder of its own each run is honest; in one that was used, the keeper's earlier image comes back.
+// In its own folder each run is honest; in a used one, the keeper's earlier image comes back.
 TEST_F(GradeVerb, results_kept_from_an_earlier_run_are_told_from_scratch_files) {
   put_program("keeper", 1, "[ -f kept ] && { cp kept \"$3\"; exit; }; trap 'cp \"'\"$3\"'\" kept' EXIT");
   put_program("scribbler", 1, "date > kept");
@@ -123,7 +123,7 @@ TEST_F(GradeVerb, results_kept_from_an_earlier_run_are_told_from_scratch_files) 
   EXPECT_EQ(of(all, "scribbler").correctness_points, 40);
 }
 
-// Both are right while nobody looks; the loafer is wrong, and never twice the same.
+// The finder and the patient are right where there is nothing to find; the loafer is wrong, and never twice the same.
 TEST_F(GradeVerb, copies_of_what_lies_around_and_images_of_chance_are_named) {
   put_program("finder", 1, "for i in \"$TMPDIR\"/*.ppm; do [ -f \"$i\" ] && { cp \"$i\" \"$3\"; exit; }; done");
   put_program("patient", 1, "set \"$1\" $(($2 + $(date +1%N) % 1000000)) \"$3\"");
@@ -143,7 +143,7 @@ TEST_F(GradeVerb, copies_of_what_lies_around_and_images_of_chance_are_named) {
             "scene a: the same seed gives another image every time: it goes by the clock, or threads race");
 }
 
-// Staff's file is put in place of each submission's. Both are too dark; one does not look at the file.
+// Staff's file replaces each submission's. Both are too dark; one of them does not read the file.
 TEST_F(GradeVerb, parameters_that_are_not_heeded_are_named) {
   const std::string heed = "[ $(cat parameters) = 40 ] && set \"$1\" $(($2 + 1)) \"$3\"";
   std::string course = course_text();
@@ -189,7 +189,7 @@ TEST_F(GradeVerb, two_teams_with_the_same_noise_are_flagged_and_keep_their_point
 }
 
 TEST_F(GradeVerb, other_images_while_it_is_timed_cost_the_points_for_speed) {
-  // The counter lies outside of the run's folder, as only a program without a sandbox can have one.
+  // The counter is outside of the run's folder, which only a program without a sandbox can use.
   put_program("sly", 1,
               "n=$(cat " + (folder_ / "count").string() + " 2>/dev/null || echo 0); echo $((n + 1)) > " +
                   (folder_ / "count").string() + "; [ $n -ge 3 ] && set b \"$2\" \"$3\"");
@@ -199,7 +199,7 @@ TEST_F(GradeVerb, other_images_while_it_is_timed_cost_the_points_for_speed) {
   EXPECT_EQ(all.submissions[0].speed.points, 0);
 }
 
-// The timed scene a is quick, the hidden one b as slow as the baseline; every image is right.
+// The timed scene a is fast, the hidden one b as slow as the baseline; every image is right.
 TEST_F(GradeVerb, a_program_that_is_fast_on_timed_scenes_alone_is_flagged) {
   put_program("handout", 1, "sleep 0.5");
   put_program("special", 1, "[ \"$1\" = b ] && sleep 0.5");
@@ -226,13 +226,13 @@ TEST_F(GradeVerb, wrong_images_keep_a_share_of_the_points_where_the_assignment_s
   put_program("copies", 1, "cp a.ppm \"$3\"; exit 0");
   ASSERT_EQ(grade({"dim", "dark"}, {"--no-timing"}).exit_code, 0);
   const Grades all = grades();
-  // A bias of -0.3 is half of the way from 0.1 to 0.5; the reference is clamped at no pixel.
+  // A bias of -0.3 is halfway between 0.1 and 0.5; the reference is clamped at no pixel.
   EXPECT_EQ(of(all, "dim").scenes[0].verdict, SceneVerdict::wrong);
   EXPECT_NEAR(of(all, "dim").scenes[0].points, 10, 0.5);
   EXPECT_EQ(of(all, "dark").correctness_points, 0);
 }
 
-// Nothing in it is random, whatever the seed: one render is its reference.
+// The baseline has no randomness for any seed: one render is its reference.
 TEST_F(GradeVerb, one_render_is_the_reference_of_a_baseline_without_randomness) {
   std::string course = course_text("", "", "[reference]\nfrom = \"baseline\"\nseeds = 1\n");
   course.replace(course.find("seeds = true"), 12, "seeds = false");
@@ -246,7 +246,7 @@ TEST_F(GradeVerb, one_render_is_the_reference_of_a_baseline_without_randomness) 
   EXPECT_EQ(all.scenes[0].reference, "a render by the baseline, which has no randomness");
   EXPECT_EQ(of(all, "honest").correctness_points, 40) << of(all, "honest").sentence;
   EXPECT_EQ(of(all, "dim").scenes[0].verdict, SceneVerdict::wrong);
-  put_program("handout", 1);  // draws by the seed
+  put_program("handout", 1);  // uses the seed
   const ProcessOutcome random = grade({"honest"}, {"--no-timing"});
   EXPECT_EQ(random.exit_code, 2);
   EXPECT_EQ(random.standard_error,
@@ -266,7 +266,7 @@ TEST_F(GradeVerb, killed_it_has_lost_at_most_what_was_running_and_resumes) {
   ASSERT_EQ(grade({"honest", "dim"}, {"--no-timing", "--resume"}).exit_code, 0);
   const std::size_t resumed = cells();
   const std::string verdicts = get("out/gradebook.csv");
-  // A grading from the start has the same verdicts and as many runs.
+  // A grading from scratch has the same verdicts and as many runs.
   fs::remove_all(folder_ / "out");
   ASSERT_EQ(grade({"honest", "dim"}, {"--no-timing"}).exit_code, 0);
   EXPECT_EQ(get("out/gradebook.csv"), verdicts);
@@ -279,7 +279,7 @@ TEST_F(GradeVerb, graded_again_it_keeps_references_and_runs_submissions_anew) {
   const std::size_t first = cells();
   const std::string verdicts = get("out/gradebook.csv");
   ASSERT_EQ(grade({"honest"}, {"--no-timing"}).exit_code, 0);
-  EXPECT_EQ(cells(), 2 * first - 16);  // all but the 8 runs of each of 2 references
+  EXPECT_EQ(cells(), 2 * first - 16);  // all except the 8 runs of each of 2 references
   EXPECT_EQ(get("out/gradebook.csv"), verdicts);
 }
 
@@ -311,7 +311,7 @@ TEST_F(GradeVerb, what_cannot_be_graded_is_said_before_anything_runs) {
   EXPECT_EQ(cells(), 0u);
 }
 
-// A program is asked for width x height pixels; black around a crop would count as right.
+// A program has to render width x height pixels; black around a crop would count as right.
 TEST_F(GradeVerb, scenes_that_render_a_part_of_the_film_are_refused) {
   std::string scene = read_file(PHOTONPROOF_SOURCE_DIR "/scenes/library/furnace/scene.xml", 1 << 20);
   scene.insert(scene.find("</film>"),
@@ -340,7 +340,7 @@ TEST_F(GradeVerb, the_autograder_has_what_gradescope_asks_for) {
                                               folder_ / "autograder.zip", "--no-sandbox"});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.standard_error;
   put_program("submission", 1);
-  // As Gradescope unpacks and runs it.
+  // Unpacked and run as Gradescope does.
   const std::string place = (folder_ / "autograder").string();
   const ProcessOutcome run = run_process(
       {"sh", "-ec",

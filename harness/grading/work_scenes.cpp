@@ -19,7 +19,7 @@ void replace_all(std::string& text, const std::string& key, const std::string& v
     text.replace(at, key.size(), value);
 }
 
-// A template's language has no general boxes; programs that read our XML know them.
+// A template's language has no general boxes; programs that read our XML have them.
 VariantOptions variant_options(const AssignmentScene& row) { return {.axis_aligned = !row.params_template.empty()}; }
 
 void make_description(WorkScene& work, const OwnEngine& engine) {
@@ -89,7 +89,7 @@ SubmissionRunRequest request_of(const Assignment& assignment, const WorkScene& s
       request.recipe.command.push_back(word);
   }
   for (std::string& word : request.recipe.command) {
-    // Of variants the public scene's name, if any: a hidden scene's would tell what it is.
+    // A variant has the public scene's name, if any: a hidden scene's name would reveal it.
     replace_all(word, "{name}", scene.row.of.empty() ? scene.row.name : scene.row.of);
     replace_all(word, "{width}", std::to_string(scene.width));
     replace_all(word, "{height}", std::to_string(scene.height));

@@ -1,5 +1,5 @@
-// The scenes of an assignment, ready to be rendered by submissions: variants made and their predictions checked, files
-// in the course's format written, arguments filled in.
+// The scenes of an assignment, ready for submissions: variants made and their predictions checked, files in the
+// course's format written, arguments filled in.
 #pragma once
 
 #include <filesystem>
@@ -18,23 +18,23 @@ namespace photonproof::inline harness_grading {
 
 struct WorkScene {
   AssignmentScene row;
-  std::optional<SceneDescription> description;  ///< of the variant where it is one
+  std::optional<SceneDescription> description;  ///< The variant's, where it is one.
   std::optional<Variant> variant;
   int width = 0, height = 0;
-  std::string says;                  ///< of a variant
-  std::string unused;                ///< why it must not be graded on; empty: it counts
-  std::string params, params_place;  ///< the file that the program is given of it: text and place; empty: none
-  SceneFolder folder;                ///< for a program that reads our format
-  std::optional<Image> given;        ///< what students have of it
+  std::string says;                  ///< The variant's prediction.
+  std::string unused;                ///< Why it must not be graded; empty: it counts.
+  std::string params, params_place;  ///< Text and place of the file that the program gets; empty: none.
+  SceneFolder folder;                ///< For a program that reads our format.
+  std::optional<Image> given;        ///< The image that students have of it.
 };
 
-/// What programs are given of scenes is made in `folder`. Throws InputError for a scene that cannot be made: of this
-/// kind, or not in the course's format.
+/// Makes the programs' scene files in `folder`. Throws InputError for a scene that cannot be made: this kind of
+/// variant, or the course's format, does not allow it.
 std::vector<WorkScene> make_work_scenes(const Assignment& assignment, const SubmissionRunner& runner,
                                         const OwnEngine& engine, const std::filesystem::path& folder,
                                         const std::function<void(const std::string&)>& progress);
 
-/// What a run on the scene is asked for; {output}, {params} and {scene} are left open.
+/// The request for a run on the scene; {output}, {params} and {scene} are left open.
 SubmissionRunRequest request_of(const Assignment& assignment, const WorkScene& scene, std::uint64_t seed, int threads);
 
 }  // namespace photonproof::inline harness_grading

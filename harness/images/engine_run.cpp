@@ -22,15 +22,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Below this a difference of two clocks that tick every 10 ms says nothing.
+// Two clocks that tick every 10 ms do not measure shorter differences.
 constexpr double least_seconds_for_caveats = 0.2;
-// Others may take this share of the machine before a timing is doubted.
+// A timing gets a warning if others use more than this share of the machine.
 constexpr double tolerated_share_of_others = 0.1;
 
 struct EngineCommand {
   std::vector<std::string> argv;   // to be started
-  std::vector<std::string> typed;  // to be repeated: with the scene's own path instead of the copy's
-  // The copy's folder, as argv says it, and the scene's own, for what the engine says of it.
+  std::vector<std::string> typed;  // for the record: with the scene's own path instead of the copy's
+  // The copy's folder as in argv, and the scene's own, which replaces it in the engine's messages.
   std::string given_folder, own_folder;
 };
 
@@ -92,13 +92,13 @@ std::string wrong_size(const EngineRun& run, const ImageRows& rows) {
          size_text(run.scene.row->width, run.scene.row->height) + crop;
 }
 
-// Why the image is no result; empty when it is one.
+// The reason why the image is no result; empty when it is one.
 std::optional<std::string> image_problem(const EngineRun& run, Result& result) {
   const std::string file = run.image().string(), &layer = run.engine.row->layer;
   std::error_code ignored;
   if (!fs::exists(file, ignored)) return "wrote no image";
   try {
-    const ImageRows rows(file, layer, ImageWindow::stored);  // before memory is taken for it
+    const ImageRows rows(file, layer, ImageWindow::stored);  // before memory is allocated for it
     if (!layer.empty() && rows.layer().empty()) return "wrote an image without layers, not even '" + layer + "'";
     const FilmPart part = run.scene.crop.value_or(whole_film(run.scene.row->width, run.scene.row->height));
     if (!has_part(rows.place(), rows.width(), rows.height(), part)) return wrong_size(run, rows);
@@ -153,7 +153,7 @@ void add_timing_caveats(const ProcessOutcome& outcome, std::optional<double> bus
         fmt::format("host was busy: others used {:.2g} of {} cores meanwhile", others / outcome.wall_seconds, cores));
 }
 
-/// What the engine said, with the scene's own folder instead of the copy it was given.
+/// The engine's message, with the scene's own folder in place of the copy's.
 std::string in_own_words(std::string text, const EngineCommand& command) {
   if (command.given_folder.empty()) return text;
   const std::string absolute = fs::absolute(command.given_folder).lexically_normal().string();
@@ -164,7 +164,7 @@ std::string in_own_words(std::string text, const EngineCommand& command) {
   return text;
 }
 
-// What the engine did to its folder, or a full disk, must not end the run.
+// Whatever the engine did to its folder, and a full disk, must not end the run.
 void keep_output(const fs::path& file, const std::string& text, Result& result) try {
   if (!text.empty()) write_file_atomically(file, text);
 } catch (const InputError& error) {
@@ -204,7 +204,7 @@ std::optional<Result> run_engine(const EngineRun& run) {
   add_timing_caveats(outcome, busy_before, own_before, cores, result);
   keep_output(run.place() / "stdout.txt", outcome.standard_output, result);
   keep_output(run.place() / "stderr.txt", outcome.standard_error, result);
-  remove_all_abandoned_temporaries(run.place());  // of the engine's processes, which have all ended
+  remove_all_abandoned_temporaries(run.place());  // temporaries of the engine's processes, which have all ended
   set_status(run, outcome, result);
   std::error_code ignored;
   if (fs::exists(run.image(), ignored)) result.image = (run.folder / run.image().filename()).string();

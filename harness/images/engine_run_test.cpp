@@ -153,7 +153,7 @@ TEST_F(EngineRuns, temporaries_of_a_killed_engine_are_removed) {
     EXPECT_EQ(file.path().filename().string().find(".partial-"), std::string::npos) << file.path();
 }
 
-// The channels variance.R, G and B, called otherwise, are a layer.
+// The channels variance.R, G and B form a layer, although they are not called R, G and B.
 TEST_F(EngineRuns, layer_of_the_engine_s_image_is_all_that_is_kept) {
   Rendering layers{Image(width, height), Image(width, height), {}};
   for (float& value : layers.mean.rgb) value = 1;

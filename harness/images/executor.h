@@ -1,4 +1,4 @@
-// Where engines' processes run, as one interface. No verb knows the place: all work goes to `usual_executor`.
+// Interface to the place where engines' processes run. No verb depends on the place: all work goes to `usual_executor`.
 #pragma once
 
 #include <string>
@@ -12,13 +12,14 @@ namespace photonproof::inline harness_images {
 class Executor {
  public:
   virtual ~Executor() = default;
-  /// As run_process: waits for the command's end and never throws for what it does. May be called on several threads.
+  /// As run_process: waits for the command's end and never throws because of its failure. May be called on several
+  /// threads.
   virtual ProcessOutcome run(const std::vector<std::string>& argv, const ProcessOptions& options) const = 0;
-  /// How many commands of `threads` > 0 threads each keep the place busy; at least 1.
+  /// Number of commands with `threads` > 0 threads each that keep the place busy; at least 1.
   virtual int at_once(int threads) const = 0;
 };
 
-/// Processes of this machine, as long as there is no other place.
+/// Runs processes on this machine, the only place so far.
 const Executor& usual_executor();
 
 }  // namespace photonproof::inline harness_images

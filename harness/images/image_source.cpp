@@ -37,7 +37,7 @@ std::string ImageSource::key(const ImageEngine& engine, const ImageScene& scene,
   }
   if (options_.use == ImageUse::measurement) parts.emplace_back("host", host_);
   std::string key = content_key(parts);
-  // The same key where there is nothing more to say.
+  // Without file content the key stays the same.
   if (const std::string file = scene.row->file_content(engine.row->name); !file.empty())
     key = content_key({{"cell", key}, {"file", file}});
   if (scene.crop) key = content_key({{"cell", key}, {"crop", scene.crop->text()}});

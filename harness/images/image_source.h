@@ -1,6 +1,6 @@
-// Gives images: an engine's, of a scene, a budget and a seed. Every image has one key, which holds all that decides it,
-// and one folder in the store; an image that is there already is not drawn again. Where the engine runs is the
-// executor's affair.
+// Provides an engine's image of a scene, a budget and a seed. Every image has one key, made from all that decides it,
+// and one folder in the store. An image that exists there is not rendered again. The executor decides where the engine
+// runs.
 #pragma once
 
 #include <atomic>
@@ -18,25 +18,25 @@
 
 namespace photonproof::inline harness_images {
 
-/// For what images are drawn, which says what decides them beside scene, engine, version, budget, seed, size and the
+/// The use of images, which decides what their key holds besides scene, engine, version, budget, seed, size and the
 /// limit on time.
 enum class ImageUse {
-  measurement,  ///< its time counts: the machine, the memory limit and the number of threads decide, too
-  verdict,      ///< so do a planted fault, the memory limit and the number of threads
-  estimate      ///< only its expectation counts: nothing else decides
+  measurement,  ///< its time counts: the key adds machine, memory limit and threads
+  verdict,      ///< the key adds a planted fault, the memory limit and threads
+  estimate      ///< only its expectation counts: the key adds nothing
 };
 
 struct ImageSourceOptions {
   ImageUse use = ImageUse::measurement;
   std::filesystem::path folder;          ///< the results folder: receives cells/ (image_store.h); exists
-  std::shared_ptr<ImageStore> store{};   ///< of that folder, where several sources share it; null: its own
+  std::shared_ptr<ImageStore> store{};   ///< the store of that folder, shared by several sources; null: its own
   std::filesystem::path program{};       ///< {photonproof}
   std::filesystem::path suite_folder{};  ///< {suite}
   Limits limits{};                       ///< of one image, with a number of threads
-  std::vector<Status> reused{};          ///< `draw` takes a kept result of such a status instead of a new one
+  std::vector<Status> reused{};          ///< `draw` returns a kept result with such a status instead of a new one
   const std::atomic<bool>* interrupt = nullptr;
   const Executor* executor = &usual_executor();
-  std::function<void(const Cell&)> starts{};  ///< hears of each image that `draw` makes anew; may be empty
+  std::function<void(const Cell&)> starts{};  ///< called for each image that `draw` renders anew; may be empty
 };
 
 class ImageSource {
@@ -49,13 +49,14 @@ class ImageSource {
   /// The latest kept image of the key, whatever its status.
   std::optional<KeptImage> find(const std::string& key) const { return store_->latest(key); }
 
-  /// The kept image, or a new one, which is kept. Its paths are relative to the results folder. Empty when interrupted:
-  /// nothing is kept then. May be called on several threads. Throws InputError where the folder cannot be used.
+  /// The kept image, or a new one, which is then kept. Its paths are relative to the results folder. Empty when
+  /// interrupted: then nothing is kept. May be called on several threads. Throws InputError where the folder cannot be
+  /// used.
   std::optional<KeptImage> draw(const ImageEngine& engine, const ImageScene& scene, const Budget& budget,
                                 std::uint64_t seed);
 
-  /// The parts of `draw`, for those who add to a result before they keep it: an empty folder for a new image; what runs
-  /// in it (engine_run.h); its completion, or its record's replacement.
+  /// The steps of `draw`, for callers that extend a result before they keep it. Claim an empty folder for a new image,
+  /// run the engine in it (engine_run.h), then keep its record or replace it.
   std::string claim(const std::string& key) { return store_->claim(key); }
   void keep(const KeptImage& image) const { store_->keep(image); }
   EngineRun run_of(const std::string& folder, const ImageEngine& engine, const ImageScene& scene, const Budget& budget,
@@ -64,7 +65,7 @@ class ImageSource {
   /// The image of a result with status ok: linear radiance of the crop, or of the whole film without one. Throws
   /// InputError where it cannot be read.
   Rendering image_of(const Result& result) const;
-  /// What the engine said of that image.
+  /// The engine's stats of that image.
   EngineStats stats_of(const KeptImage& image) const;
 
  private:

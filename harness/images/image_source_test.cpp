@@ -52,7 +52,7 @@ class ImageSources : public FakeSuiteTest {
   std::vector<std::string> started_;
 };
 
-// The parts and their order are those of results that older versions have kept.
+// The parts and their order equal those of results kept by older versions.
 TEST_F(ImageSources, keys_are_those_of_older_results) {
   const Parts drawn{{"budget", "spp=4"}, {"seed", "7"}, {"size", "32x24"}, {"seconds", "20.000000"}};
   const Parts limits{{"memory_mb", "2048"}, {"threads", "2"}};
@@ -104,7 +104,7 @@ TEST_F(ImageSources, interrupted_image_is_not_kept_and_its_folder_is_used_again)
   EXPECT_EQ(draw()->folder.back(), '1');
 }
 
-/// Ends every command at once with a code of its own.
+/// Ends every command at once with its own exit code.
 class Nowhere : public Executor {
  public:
   ProcessOutcome run(const std::vector<std::string>& argv, const ProcessOptions& options) const override {

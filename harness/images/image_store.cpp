@@ -9,13 +9,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// False also for what cannot be looked at.
+// False also for a path that cannot be inspected.
 bool is_there(const fs::path& path) {
   std::error_code ignored;
   return fs::exists(path, ignored);
 }
 
-// Whether the image is still the one that was measured. A record without a checksum only has to have an image.
+// Whether the image file is still the measured one. Without a checksum in the record it only has to exist.
 bool has_its_image(const fs::path& results_folder, const Result& result) {
   const fs::path image = results_folder / result.image;
   if (result.image.empty()) return true;

@@ -1,6 +1,6 @@
-// The folders of kept images under a results folder: cells/<key>-<n>/ holds the image, the engine's stats and output,
-// and, written last, cell.json. A folder without cell.json was interrupted and holds no result. An image that is drawn
-// again gets the next n; nothing is overwritten.
+// The folders of kept images in a results folder. cells/<key>-<n>/ holds the image, the engine's stats and output, and
+// cell.json, which is written last. A folder without cell.json was interrupted and holds no result. A repeated image
+// gets the next n; no file is overwritten.
 #pragma once
 
 #include <filesystem>
@@ -23,18 +23,18 @@ struct KeptImage {
 
 class ImageStore {
  public:
-  /// The store is made inside the results folder on first use. Whether this process is the only one that draws there:
-  /// else a folder without record may be another's work, and is left alone.
+  /// Makes the store in the results folder on first use. `is_alone`: no other process renders there. If false, a folder
+  /// without a record may be in use and is left alone.
   explicit ImageStore(std::filesystem::path results_folder, bool is_alone = true)
       : folder_(std::move(results_folder)), is_alone_(is_alone) {}
 
-  /// The latest result of the key. A record does not count where cell.json cannot be read, or where the image is gone
-  /// or another than was measured; it is never touched. One whose pictures are gone has to be compared again (no
+  /// The latest result of the key. A record does not count if cell.json cannot be read, or if the image is gone or is
+  /// not the measured one; such a record is never touched. A result without its pictures must be compared again (no
   /// comparison_key).
   std::optional<KeptImage> latest(const std::string& key) const;
 
-  /// The latest record that `read(folder)` makes something of, `folder` relative to the results folder. Where it gives
-  /// nothing or throws InputError the record does not count.
+  /// The latest record for which `read(folder)` returns a value, with `folder` relative to the results folder. A record
+  /// does not count where `read` returns nothing or throws InputError.
   template <class Read>
   auto latest(const std::string& key, const Read& read) const -> decltype(read(std::string())) {
     for (int n = last_number(key); n > 0; --n) {
@@ -43,21 +43,21 @@ class ImageStore {
       try {
         if (auto found = read(name)) return found;
       } catch (const InputError&) {
-        // Of another version, or damaged: the same to us as never measured.
+        // The record is damaged or of another version: treated as never measured.
       }
     }
     return std::nullopt;
   }
 
-  /// An empty folder for a new image, relative to the results folder; that of an interrupted one where there is one.
-  /// May be called on several threads. Throws InputError where it cannot be made.
+  /// An empty folder for a new image, relative to the results folder; reuses that of an interrupted one. May be called
+  /// on several threads. Throws InputError where it cannot be made.
   std::string claim(const std::string& key);
 
   /// Completes a folder, or replaces its record after a new comparison.
   void keep(const KeptImage& image) const;
 
   const std::filesystem::path& folder() const { return folder_; }
-  /// Written last into a folder of the store.
+  /// This file is written last into a folder of the store.
   std::filesystem::path record_of(const std::string& name) const { return folder_ / name / "cell.json"; }
 
  private:
@@ -68,7 +68,7 @@ class ImageStore {
   std::filesystem::path folder_;
   bool is_alone_;
   std::mutex claiming_;
-  std::set<std::string> claimed_;  ///< by this object: work may still go on there
+  std::set<std::string> claimed_;  ///< by this object, and possibly still in use
 };
 
 }  // namespace photonproof::inline harness_images

@@ -36,7 +36,7 @@ TEST_F(Store, kept_result_is_found_again) {
   ImageStore store(folder_);
   const std::string name = store.claim("key");
   EXPECT_EQ(name, "cells/key-1");
-  EXPECT_EQ(latest_detail(), "none");  // not before its record is there
+  EXPECT_EQ(latest_detail(), "none");  // not before its record exists
   store.keep({result("first"), name});
   EXPECT_EQ(latest_detail(), "first");
   EXPECT_EQ(store.latest("key")->folder, "cells/key-1");
@@ -124,7 +124,7 @@ TEST_F(Store, image_that_is_another_than_was_measured_does_not_count) {
   kept.result.image_checksum = file_checksum(folder_ / name / "image.exr");
   store.keep({kept, name});
   EXPECT_EQ(latest_detail(), "with image");
-  put(name + "/image.exr", "as it is ");  // of the same size
+  put(name + "/image.exr", "as it is ");  // has the same size
   EXPECT_EQ(latest_detail(), "none");
 }
 

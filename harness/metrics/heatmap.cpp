@@ -14,7 +14,7 @@
 namespace photonproof::inline harness_metrics {
 namespace {
 
-/// `position` is where a value lies on its scale, clamped to [0,1] here.
+/// `position` is the value's place on its scale, clamped to [0,1] here.
 std::uint8_t shade(float position) { return static_cast<std::uint8_t>(255 * std::clamp(position, 0.0f, 1.0f) + 0.5f); }
 
 void write_rows(PngRows& file, int rows, std::size_t width, const float* values, std::uint8_t (*shade_of)(float)) {

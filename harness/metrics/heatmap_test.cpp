@@ -40,7 +40,7 @@ TEST(Heatmap, error_scale_takes_a_sixth_of_the_map_for_a_decade_and_clamps_beyon
 }
 
 TEST(Heatmap, colour_map_grows_lighter_from_entry_to_entry) {
-  // Relative luminance, weights of Rec.709, may stay level by a byte's rounding, never fall by more.
+  // Relative luminance (weights of Rec.709) may stay level or fall by a byte's rounding, but not by more.
   const auto luminance = [](std::uint32_t colour) {
     const auto channel = [&](int shift) { return decode_srgb((colour >> shift & 0xff) / 255.0); };
     return 0.2126 * channel(16) + 0.7152 * channel(8) + 0.0722 * channel(0);
@@ -63,7 +63,7 @@ TEST_F(HeatmapFilesTest, are_pictures_of_the_images_size_in_a_folder_made_for_th
   EXPECT_EQ(flip.height, 12);
   const Image error = read_image(files.error.string());
   EXPECT_EQ(error.width, 14);
-  // The one pixel that differs is the only one that is not darkest: (20^2/(r^2+.01))/3 is over 100 for r in [0,1].
+  // Only the one pixel that differs is not darkest: (20^2/(r^2+.01))/3 is over 100 for r in [0,1].
   EXPECT_NEAR(error.pixel(5, 6)[0], decode_srgb((magma_colours[255] >> 16) / 255.0), 1e-6);
   EXPECT_NEAR(error.pixel(4, 6)[2], decode_srgb((magma_colours[0] & 0xff) / 255.0), 1e-6);
 }

@@ -1,4 +1,4 @@
-// Relative bias, signed: mean(x-r)/mean(r), over all channels or over one. Energy lost or gained, whatever the noise.
+// Relative bias, signed: mean(x-r)/mean(r), over all channels or over one: lost or gained energy, independent of noise.
 
 #include "harness/metrics/metric_rows.h"
 #include "harness/pixels/metric_sum.h"

@@ -18,7 +18,7 @@ std::string refusal(const std::string& text) {
   return "accepted";
 }
 
-/// Bias -0.25 in all channels; mse 0.0625.
+/// Measurements with bias -0.25 in all channels; mse 0.0625.
 std::vector<Measurement> dark_by_a_quarter(int side) {
   const Image reference = constant_image(side, side, 1, 1, 1);
   const Image test = constant_image(side, side, 0.75f, 0.75f, 0.75f);

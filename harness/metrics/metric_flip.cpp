@@ -1,5 +1,5 @@
-// Pools the FLIP map into the numbers NVIDIA's tool prints: mean, weighted median and quartiles, maximum (Andersson,
-// Nilsson, Akenine-Möller: "Visualizing and communicating errors in rendered images", Ray Tracing Gems II, 2021).
+// Pools the FLIP map into the numbers NVIDIA's tool prints: mean, weighted median and quartiles, maximum. (Andersson,
+// Nilsson, Akenine-Möller: "Visualizing and communicating errors in rendered images", Ray Tracing Gems II, 2021)
 
 #include "harness/metrics/metric_flip.h"
 

@@ -1,14 +1,14 @@
 // LDR-FLIP: Andersson, Nilsson, Akenine-Möller, Oskarsson, Åström, Fairchild, "FLIP: A Difference Evaluator for
-// Alternating Images", Proc. ACM Comput. Graph. Interact. Tech. 3(2), 2020; with the borders (replicated) and the clamp
-// after filtering (to [0,1] linear RGB) of NVIDIA's tool.
+// Alternating Images", Proc. ACM Comput. Graph. Interact. Tech. 3(2), 2020. Borders (replicated) and the clamp after
+// filtering (to [0,1] linear RGB) are those of NVIDIA's tool.
 //
 // Colour: opponent channels -> contrast sensitivity filters -> L*a*b*, Hunt-adjusted -> HyAB distance -> [0,1].
 // Features: luminance -> edge and point detectors -> difference of magnitudes.  Error = colour^(1 - feature).
 //
 // The paper filters YCxCz = (116 y - 16, 500 (x - y), 200 (y - z)), with x, y, z relative to white. Every filter has
-// sum 1, so scale and offset commute with it: we filter y, x - y and y - z themselves. The feature detectors' input, (Y
-// + 16) / 116, is y. Every filter is a sum of at most two products f(x) g(y), and is run as such. The arithmetic of
-// single pixels is in pixel_loops.cpp.
+// sum 1, so scale and offset commute with it: we filter y, x - y and y - z themselves. The input of the feature
+// detectors, (Y + 16) / 116, is y. Every filter is a sum of at most two products f(x) g(y), and runs as such. The
+// arithmetic of single pixels is in pixel_loops.cpp.
 
 #include <algorithm>
 #include <array>
@@ -40,12 +40,12 @@ constexpr SensitivityTerm kBlueYellowNarrow{13.5, 0.025};
 
 struct FlipKernels {
   Taps achromatic, red_green, wide, narrow;
-  Taps smooth, edge, point;  // of the feature detectors: a Gaussian, its first and its second derivative
-  double wide_share;         // of the blue-yellow filter
+  Taps smooth, edge, point;  // feature detectors: a Gaussian, its first and its second derivative
+  double wide_share;         // share of the blue-yellow filter's wide term
 
   FlipKernels() {
-    // The paper's support: three sigma of the widest term, for all channels. Of the narrow ones, whose sigmas are 1.03
-    // and 1.10 pixels, less than 1e-11 lies beyond 7 pixels.
+    // The paper's support for all channels is three sigma of the widest term. The narrow terms, with sigmas of 1.03 and
+    // 1.10 pixels, have less than 1e-11 beyond 7 pixels.
     const int radius = static_cast<int>(std::ceil(3 * kBlueYellowWide.sigma_pixels()));
     achromatic = gaussian_taps(kAchromatic.sigma_pixels(), 7);
     red_green = gaussian_taps(kRedGreen.sigma_pixels(), 7);
@@ -61,8 +61,8 @@ struct FlipKernels {
       edge.weight[k] *= -k;
       point.weight[k] *= k * k / (sigma * sigma) - 1;
     }
-    // Positive and negative weights are each scaled to a sum of one: those of the paper's 2D kernels, which are these
-    // times a Gaussian of sum 1 across.
+    // Positive and negative weights are each scaled to a sum of one, like those of the paper's 2D kernels. Those are
+    // these weights times a Gaussian of sum 1 across.
     double edge_sum = 0, positive = 0, negative = 0;
     for (int k = 0; k <= smooth.radius; ++k) {
       const double both = (k == 0 ? 1 : 2) * point.weight[k];
@@ -75,7 +75,7 @@ struct FlipKernels {
     }
   }
 
-  /// The sum of a term over the square support: what its Gaussian, scaled to sum to 1, weighs in a sum of terms.
+  /// The sum of a term over the square support: the weight of its Gaussian, scaled to sum to 1, in a sum of terms.
   static double weight(const SensitivityTerm& term, int radius) {
     const double sigma = term.sigma_pixels();
     double line = 0;
@@ -104,7 +104,7 @@ class OpponentTile {
     }
   }
 
-  /// What an observer makes of the colours: filtered, clamped to displayable ones, Hunt-adjusted L*a*b*.
+  /// The colours as an observer perceives them: filtered, clamped to displayable ones, Hunt-adjusted L*a*b*.
   void perceive(const LabPlanes& lab) {
     const TileMemory::Frame frame(memory_);
     const FlipKernels& k = kernels();
@@ -117,7 +117,7 @@ class OpponentTile {
     pixel_loops().perceived(y, xy, wide, narrow, k.wide_share, width_ * height_, lab);
   }
 
-  /// Magnitudes, over both directions, of what the detectors find at each pixel.
+  /// Magnitudes over both directions of the detectors' responses at each pixel.
   void detect(const FeaturePlanes& features) {
     const TileMemory::Frame frame(memory_);
     const FlipKernels& k = kernels();
@@ -155,7 +155,7 @@ class OpponentTile {
   std::array<double*, 3> planes_;  // y, x - y and y - z, x, y, z being XYZ relative to white
 };
 
-/// The greatest HyAB distance there is, from green to blue, to the power qc.
+/// The largest possible HyAB distance, from green to blue, to the power qc.
 double greatest_distance() {
   const double r[] = {0, 0}, g[] = {1, 0}, b[] = {0, 1};
   double y[2], xy[2], yz[2], lightness[2], red_green[2], blue_yellow[2];

@@ -25,9 +25,9 @@ TEST(Flip, agrees_with_the_independent_implementation) {
 }
 
 TEST(Flip, of_black_and_white_is_the_mapped_lightness_difference) {
-  // Flat images pass every filter unchanged and have no features. L* differs by 100, a* and b* not: HyAB = 100. The
-  // greatest distance is 203.30165 (green L* 87.7, blue 32.3 by the sRGB matrix), so both ^0.7: 25.1189 against
-  // 0.4 * 41.2760 = 16.5104 at the knee, giving 0.95 + 0.05 * (25.1189 - 16.5104) / (41.2760 - 16.5104).
+  // Flat images pass every filter unchanged and have no features. Only L* differs, by 100: HyAB = 100. The greatest
+  // distance is 203.30165 (green L* 87.7, blue 32.3 by the sRGB matrix). Both ^0.7 are 25.1189 against 0.4 * 41.2760 =
+  // 16.5104 at the knee, giving 0.95 + 0.05 * (25.1189 - 16.5104) / (41.2760 - 16.5104).
   const double greatest = std::pow(203.30165461, 0.7);
   const double expected = 0.95 + 0.05 * (std::pow(100, 0.7) - 0.4 * greatest) / (0.6 * greatest);
   const Image black = constant_image(20, 20, 0, 0, 0);
@@ -65,7 +65,7 @@ TEST(Flip, stays_in_zero_to_one_on_extreme_patterns) {
 
 TEST(Flip, of_a_shift_by_one_pixel_is_where_the_edge_is) {
   // A step between columns 29 and 30 against one between 30 and 31. The filters reach 10 pixels, so the map is 0 beyond
-  // columns 30 +- 11; it is the same in every row, as the images are; and it is greatest beside the step.
+  // columns 30 +- 11. Like the images it is the same in every row, and it is largest beside the step.
   Image reference(60, 12);
   Image test(60, 12);
   for (int y = 0; y < 12; ++y)
@@ -89,7 +89,7 @@ TEST(Flip, of_a_shift_by_one_pixel_is_where_the_edge_is) {
 }
 
 TEST(Flip, pooled_values_weigh_an_error_by_its_size) {
-  // Three flat regions would blur into each other; so the order statistics are checked on the map itself.
+  // Three flat regions would blur into each other, so the map itself gives the order statistics.
   const Image reference = busy_image(24, 18);
   const Image test = busy_image(24, 18, 1, 2);
   std::vector<float> sorted = flip_map(reference, test, {});
@@ -104,8 +104,8 @@ TEST(Flip, pooled_values_weigh_an_error_by_its_size) {
   for (const auto& [name, fraction] :
        {std::pair{"flip_weighted_quartile1", 0.25}, {"flip_weighted_median", 0.5}, {"flip_weighted_quartile3", 0.75}}) {
     const double value = metric_value(name, reference, test).value();
-    EXPECT_LE(sum_below(value), fraction * total) << name;  // what is smaller has not passed the fraction
-    EXPECT_GT(sum_below(std::nextafter(value, 2)), fraction * total) << name;  // with it, it has
+    EXPECT_LE(sum_below(value), fraction * total) << name;  // smaller values do not pass the fraction
+    EXPECT_GT(sum_below(std::nextafter(value, 2)), fraction * total) << name;  // with this value the sum does
   }
   EXPECT_EQ(metric_value("flip_max", reference, test), sorted.back());
 }

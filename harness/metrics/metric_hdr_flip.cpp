@@ -1,8 +1,8 @@
 // HDR-FLIP: Andersson, Nilsson, Shirley, Akenine-Möller, "Visualizing Errors in Rendered High Dynamic Range Images",
-// Eurographics 2021. Both images are exposed and tone-mapped several times, each time compared by LDR-FLIP, and a
-// pixel's error is its greatest. Tone mapping is Narkowicz's fit of ACES without its pre-exposure of 0.6,
-//   t(x) = (0.9036 x^2 + 0.018 x) / (0.8748 x^2 + 0.354 x + 0.14);
-// its values are taken for linear ones, and radiance is clamped to [0, 65536], as NVIDIA's tool does.
+// Eurographics 2021. Both images are exposed and tone-mapped several times, and compared by LDR-FLIP each time. A
+// pixel's error is its largest. Tone mapping is Narkowicz's fit of ACES without its pre-exposure of 0.6,
+//   t(x) = (0.9036 x^2 + 0.018 x) / (0.8748 x^2 + 0.354 x + 0.14).
+// Its values count as linear ones, and radiance is clamped to [0, 65536], as in NVIDIA's tool.
 
 #include "harness/metrics/metric_hdr_flip.h"
 
@@ -19,7 +19,7 @@
 namespace photonproof::inline harness_metrics {
 namespace {
 
-/// t(x) = 0.85, the value the paper has the brightest and the median pixel reach: a x^2 + b x + c = 0.
+/// The solution of t(x) = 0.85, the paper's target for the brightest and the median pixel: a x^2 + b x + c = 0.
 double exposed_value() {
   constexpr double t = 0.85;
   const double a = 0.6 * 0.6 * (2.51 - 2.43 * t), b = 0.6 * (0.03 - 0.59 * t), c = -0.14 * t;
@@ -49,7 +49,7 @@ void for_each_luminance(RowSource& image, const Visit& visit) {
 
 using Counts = std::vector<std::uint64_t>;
 
-/// The bin that holds the value of this rank, counted from 0; `rank` becomes that within the bin.
+/// The bin of the value with this rank, counted from 0; `rank` becomes the rank within the bin.
 std::uint32_t bin_of(const Counts& counts, std::uint64_t& rank) {
   std::uint32_t bin = 0;
   while (rank >= counts[bin]) rank -= counts[bin++];
@@ -57,10 +57,10 @@ std::uint32_t bin_of(const Counts& counts, std::uint64_t& rank) {
 }
 
 struct Luminances {
-  double greatest = 0, median = 0;  ///< of an even number the mean of the middle two
+  double greatest = 0, median = 0;  ///< `median` of an even number: the mean of the middle two.
 };
 
-/// Exact: the bits of floats that are not negative sort as integers do, first by their upper and then by their lower
+/// The exact values: the bits of non-negative floats sort like integers, first by their upper and then by their lower
 /// half.
 Luminances luminances_of(RowSource& image) {
   Luminances found;
@@ -136,8 +136,8 @@ class HdrFlipPass : public MetricPass {
 std::optional<ExposureRange> exposures_of(RowSource& reference) {
   const Luminances found = luminances_of(reference);
   if (found.greatest <= 0) return std::nullopt;
-  // Where most of the image is black, the last exposure would be infinite. NVIDIA's tool 1.7 takes 2^-23 for the median
-  // then; an image that is darker still has one exposure, that of its brightest pixel.
+  // Where most of the image is black, the last exposure would be infinite. NVIDIA's tool 1.7 then takes 2^-23 for the
+  // median. An even darker image has one exposure, that of its brightest pixel.
   const double median = std::max(found.median, std::min(least_median, found.greatest));
   const double start = std::log2(exposed_value() / found.greatest), stop = std::log2(exposed_value() / median);
   return ExposureRange{start, stop, std::max(2, static_cast<int>(std::ceil(stop - start)))};

@@ -11,9 +11,9 @@ class RowSource;
 
 namespace photonproof::inline harness_metrics {
 
-/// The range the paper derives from the reference image: from where tone mapping takes its greatest luminance to 0.85
-/// to where it takes its median luminance there, with max(2, ceil(stop - start)) exposures. Reads the image twice.
-/// A median below 2^-23 counts as 2^-23, as in NVIDIA's tool 1.7. Empty when the image is black.
+/// The range that the paper derives from the reference image, with max(2, ceil(stop - start)) exposures. At the start,
+/// tone mapping maps the greatest luminance to 0.85, at the stop the median. Reads the image twice. A median below
+/// 2^-23 counts as 2^-23, as in NVIDIA's tool 1.7. Empty when the image is black.
 std::optional<ExposureRange> exposures_of(RowSource& reference);
 
 }  // namespace photonproof::inline harness_metrics

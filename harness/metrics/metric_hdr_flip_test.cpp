@@ -27,7 +27,7 @@ TEST(HdrFlip, agrees_with_the_independent_implementation) {
   for (const OraclePair& pair : pairs) {
     ImageRowSource reference(pair.reference);
     const ExposureRange range = exposures_of(reference).value();
-    // Luminances are floats here, doubles there.
+    // Luminances are floats here and doubles in the expected values.
     EXPECT_NEAR(range.start, pair.expected.at("start"), 1e-6) << pair.name;
     EXPECT_NEAR(range.stop, pair.expected.at("stop"), 1e-6) << pair.name;
     EXPECT_EQ(range.count, pair.expected.at("count")) << pair.name;
@@ -60,7 +60,7 @@ TEST(HdrFlip, sees_at_one_exposure_what_another_hides) {
 }
 
 TEST(HdrFlip, takes_the_exact_median_of_the_luminances) {
-  // Half of an odd number of pixels, less one, are darker than the grey one and as many are brighter.
+  // 280 pixels are darker than the grey one and 280 are brighter.
   Image image(51, 11);  // 561 pixels: rank 280 is 280/1000
   for (std::size_t p = 0; p < image.pixels(); ++p)
     for (std::size_t c = 0; c < 3; ++c) image.rgb[3 * p + c] = static_cast<float>((p * 364) % 561) / 1000;
@@ -69,11 +69,11 @@ TEST(HdrFlip, takes_the_exact_median_of_the_luminances) {
   EXPECT_NEAR(range.stop - range.start, std::log2(0.560 / 0.280), 1e-6);
 }
 
-// An object on black: 48 of 400 pixels are (0.9, 0.6, 0.3), and in the test four of these have half as much. NVIDIA's
-// flip-evaluator 1.7 gives 0.0146324522793293 with the exposures 1.7223823070526123 to 24.083297729492188 in 23 steps.
-// By hand: the greatest luminance is 0.2126 * 0.9 + 0.7152 * 0.6 + 0.0722 * 0.3 = 0.64212, the exposed value 2.118872;
-// log2(2.118872 / 0.64212) = 1.72238 and log2(2.1188723240 * 2^23) = 24.0832966585; theirs are floats, 1.9e-6 apart
-// there.
+// An object on black: 48 of 400 pixels are (0.9, 0.6, 0.3), and in the test image four of these have half as much.
+// NVIDIA's flip-evaluator 1.7 gives 0.0146324522793293. Its exposures are 1.7223823070526123 to 24.083297729492188 in
+// 23 steps. By hand: the greatest luminance is 0.2126 * 0.9 + 0.7152 * 0.6 + 0.0722 * 0.3 = 0.64212. The exposed value
+// is 2.118872, with log2(2.118872 / 0.64212) = 1.72238 and log2(2.1188723240 * 2^23) = 24.0832966585. The tool's are
+// floats, 1.9e-6 apart there.
 TEST(HdrFlip, of_an_object_on_black_is_that_of_the_published_tool) {
   Image reference(20, 20), test(20, 20);
   for (int y = 6; y < 12; ++y)
@@ -91,7 +91,7 @@ TEST(HdrFlip, of_an_object_on_black_is_that_of_the_published_tool) {
   EXPECT_NEAR(hdr_flip(reference, test).value(), 0.01463245228, 1e-6);
 }
 
-// NVIDIA's tool refuses such images, whose first exposure would lie beyond the last one.
+// NVIDIA's tool rejects such images: their first exposure would exceed the last one.
 TEST(HdrFlip, of_an_image_darker_than_the_least_median_has_the_exposure_of_its_brightest_pixel) {
   Image image(4, 4);
   for (int c = 0; c < 3; ++c) image.pixel(1, 1)[c] = 1e-9f;

@@ -1,4 +1,4 @@
-// Metrics that are the mean of an error of each channel value.
+// Metrics that are the mean of an error over all channel values.
 #pragma once
 
 #include "harness/metrics/metric_rows.h"

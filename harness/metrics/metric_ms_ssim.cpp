@@ -1,8 +1,9 @@
 // Multi-scale structural similarity: Wang, Simoncelli, Bovik, "Multi-scale structural similarity for image quality
-// assessment", Asilomar 2003, eq. 7, with the weights published there. On display-encoded values; each scale is the
-// mean of 2 x 2 values of the one before (of an odd side the last value is repeated); the windows are those of ssim,
-// and only those wholly inside a scale's image count. Of scales 1 to 4 the mean of contrast times structure enters, of
-// scale 5 the mean of all three terms: prod_j cs_j^w_j ssim_5^w_5, for each channel, then the mean of the three.
+// assessment", Asilomar 2003, eq. 7, with the weights published there. Values are display-encoded. Each scale is the
+// mean of 2 x 2 values of the previous one; an odd side repeats its last value. The windows are those of ssim; only
+// windows inside a scale's image count. Scales 1 to 4 enter by the mean of contrast times structure, scale 5 by the
+// mean of all three terms. The result is prod_j cs_j^w_j ssim_5^w_5 for each channel, then the mean over the three
+// channels.
 
 #include "harness/metrics/metric_ms_ssim.h"
 
@@ -73,7 +74,7 @@ CoarseScale::Sums CoarseScale::measure_tile(int x0, int y0, TileMemory& memory, 
 }
 
 void CoarseScale::advance(int ready, const ParallelLoop& loop, CoarseScale* next) {
-  // A band of tiles needs ssim_radius rows more, where the image has them.
+  // A band of tiles needs ssim_radius more rows, where the image has them.
   int end = measured_;
   while (end < height_ && (ready == height_ || end + TileGrid::tile_height + ssim_radius <= ready))
     end = std::min(end + TileGrid::tile_height, height_);

@@ -9,7 +9,7 @@
 
 namespace photonproof::inline harness_metrics {
 
-/// One scale: a rolling window of the halved pair's rows, and the sums over those that are done with.
+/// One scale: a rolling window of the halved pair's rows, and the sums over finished rows.
 class CoarseScale {
  public:
   CoarseScale(int width, int height);
@@ -18,9 +18,10 @@ class CoarseScale {
   int height() const { return height_; }
   /// Makes room for rows up to `end`.
   void reserve_rows(int end);
-  /// Where row y, column x of a channel is written.
+  /// The address of row y, column x of a channel, for writing.
   double* at(std::size_t which, std::size_t channel, int x, int y);
-  /// Rows above `ready` have been written: measures what can be, and hands it on to `next` (null for the last scale).
+  /// Call when rows above `ready` are written: measures the complete rows and passes them to `next` (null at the last
+  /// scale).
   void advance(int ready, const ParallelLoop& loop, CoarseScale* next);
 
   int measured_rows() const { return measured_; }
@@ -33,8 +34,8 @@ class CoarseScale {
   Sums measure_tile(int x0, int y0, TileMemory& memory, CoarseScale* next);
 
   int width_, height_;
-  int first_ = 0;     // row the planes begin with
-  int measured_ = 0;  // rows that are in the sums
+  int first_ = 0;     // first row of the planes
+  int measured_ = 0;  // rows that the sums contain
   std::array<std::vector<double>, 6> planes_;
   Sums sums_{};
 };
@@ -46,11 +47,11 @@ class CoarseScales {
 
   CoarseScales(int width, int height);
   void rows_begin(int begin, int end);
-  /// Halves a tile of the images themselves. Different tiles may be put at the same time.
+  /// Halves a tile of the images. Different tiles may be put at the same time.
   void put(const PairTile& tile);
   void rows_done(int y, const ParallelLoop& loop);
-  /// Given the mean contrast and structure of each channel at the first scale. Empty where a channel's mean is
-  /// negative.
+  /// The metric, from the mean contrast and structure of each channel at the first scale. Empty where a channel's mean
+  /// is negative.
   std::optional<double> ms_ssim(const std::array<double, 3>& first_structure) const;
 
  private:

@@ -8,7 +8,7 @@
 namespace photonproof::inline harness_metrics {
 namespace {
 
-/// The image again and again, up to the size.
+/// The image repeated up to this size.
 Image repeated(const Image& image, int width, int height) {
   Image large(width, height);
   for (int y = 0; y < height; ++y)
@@ -45,7 +45,7 @@ TEST(MsSsim, is_left_out_where_the_last_scale_has_no_whole_window) {
 }
 
 TEST(MsSsim, is_undefined_where_structures_are_opposed) {
-  // A checkerboard against its negative: the structure term of the first scale is negative in the mean.
+  // A checkerboard against its negative: the first scale's structure term has a negative mean.
   Image board(170, 170), negative(170, 170);
   for (int y = 0; y < 170; ++y)
     for (int x = 0; x < 170; ++x)

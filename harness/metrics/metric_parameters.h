@@ -1,7 +1,7 @@
-// What a user may set of metrics. A parameter is a member of ParameterValues and its row; which metrics have it, they
-// say themselves, by naming it in what is printed with their numbers (MetricRow::parameters). All else goes by these
-// two: `compare`'s options and their help, the keys of a [[gate]], what accepted verdicts are kept by, and the table of
-// suites/FORMAT.md, which suite_format_test.cpp prints.
+// Parameters of metrics that a user may set. A parameter is a member of ParameterValues and its row. The metrics that
+// have it name it in the text printed with their numbers (MetricRow::parameters). Everything else follows from these
+// two: `compare`'s options and their help, the keys of a [[gate]], the keys of accepted verdicts. The table of
+// docs/formats/suite.md, which suite_format_test.cpp prints, does so, too.
 #pragma once
 
 #include <array>
@@ -20,27 +20,27 @@ namespace photonproof::inline harness_metrics {
 struct ParameterValues {
   /// Stops applied before the display encoding of psnr, ssim and flip (scale by 2^exposure, clamp to [0,1], sRGB).
   double exposure = 0;
-  std::optional<ExposureRange> hdr_exposures{};  ///< of hdr_flip; empty: from the reference, as the paper does
+  std::optional<ExposureRange> hdr_exposures{};  ///< Exposures of hdr_flip; empty: from the reference, as in the paper.
 };
 
-/// From `least` to `most`.
+/// A number from `least` to `most`.
 struct NumberParameter {
   double ParameterValues::*member;
   double least, most;
 };
 
-/// Three numbers: start, stop and count, as expected_exposures says.
+/// Three numbers: start, stop and count, as in expected_exposures.
 struct RangeParameter {
   std::optional<ExposureRange> ParameterValues::*member;
 };
 
 struct MetricParameter {
-  const char* name;      ///< key of a [[gate]], and what is printed; as an option of `compare` with - for _
-  const char* argument;  ///< what its option takes, by name or unit
-  const char* meaning;   ///< a clause
-  const char* without;   ///< what is done without it, as a clause; null: its member's first value holds
-  const char* in_gates;  ///< whose value holds for a gate that does not give it; null: as in `compare`
-  const char* example;   ///< another value than it has without being given, as in TOML
+  const char* name;      ///< Key of a [[gate]] and printed name; `compare`'s option has - for _.
+  const char* argument;  ///< The argument of its option, by name or unit.
+  const char* meaning;   ///< The meaning as a clause.
+  const char* without;   ///< The behaviour without it, as a clause; null: its member's initial value holds.
+  const char* in_gates;  ///< The source of the value in a gate without it; null: as in `compare`.
+  const char* example;   ///< A value other than the default, as in TOML.
   std::variant<NumberParameter, RangeParameter> value;
 };
 
@@ -75,23 +75,23 @@ static_assert(takes(std::make_index_sequence<rows>{}) && !takes(std::make_index_
               "every member of ParameterValues has a row of metric_parameters, or nobody can set it");
 }  // namespace parameter_count
 
-/// How many numbers it takes: 1 or 3.
+/// The count of its numbers: 1 or 3.
 std::size_t number_count(const MetricParameter& parameter);
 
-/// "-64 to 64"; empty where that is not all there is to say.
+/// "-64 to 64"; empty where a range does not describe it.
 std::string range_text(const MetricParameter& parameter);
 
-/// Its numbers with spaces between, "-2 1 4"; empty where there are none.
+/// Its numbers with spaces between, "-2 1 4"; empty without a value.
 std::string value_text(const MetricParameter& parameter, const ParameterValues& values);
 
 /// Every parameter that has a value, "exposure=1, exposures=-2 1 4".
 std::string values_text(const ParameterValues& values);
 
-/// Sets it. Of numbers it cannot take it says what is wrong, and sets nothing.
+/// Sets the parameter. For invalid numbers it returns the reason and sets nothing.
 [[nodiscard]] std::optional<std::string> set_parameter(const MetricParameter& parameter,
                                                        std::span<const double> numbers, ParameterValues& values);
 
-/// A value that somebody gave. Precondition: set_parameter takes the numbers.
+/// A value set by a user. Precondition: set_parameter accepts the numbers.
 struct GivenParameter {
   const MetricParameter* parameter;
   std::vector<double> numbers;
@@ -100,7 +100,7 @@ struct GivenParameter {
 /// "exposure=1.5"
 std::string given_text(const std::vector<GivenParameter>& given);
 
-/// `values` but for those that are given.
+/// `values` with the given parameters replaced.
 ParameterValues with_given(ParameterValues values, const std::vector<GivenParameter>& given);
 
 }  // namespace photonproof::inline harness_metrics

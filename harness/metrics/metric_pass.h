@@ -1,4 +1,4 @@
-// What a metric adds up over the tiles of an image pair. metric_run.h drives it.
+// The sums of a metric over the tiles of an image pair. metric_run.h drives it.
 #pragma once
 
 #include <cstddef>
@@ -14,7 +14,7 @@
 
 namespace photonproof::inline harness_metrics {
 
-/// A pair as a whole, known before its first row.
+/// Facts about the whole pair, known before its first row.
 struct PairFacts {
   int width = 0, height = 0;
   std::uint64_t counted = 0;  ///< pixels that count: all, or those of the mask
@@ -26,14 +26,14 @@ struct PairFacts {
 using TileBody = std::function<void(std::size_t, TileMemory&)>;
 using ParallelLoop = std::function<void(std::size_t n, const TileBody& body)>;
 
-/// One value a pixel of a tile, row by row, wanted for a heat map; null where none is.
+/// One value a pixel of a tile, row by row, for a heat map; null without one.
 struct TileMaps {
   float* flip = nullptr;
   float* error = nullptr;
 };
 
-/// Nothing may depend on the order of `measure`, which different tiles see at the same time; everything else is called
-/// from one thread.
+/// The result must not depend on the order of `measure`, which threads call for different tiles at once. Everything
+/// else is called from one thread.
 class MetricPass {
  public:
   using Part = std::vector<double>;
@@ -41,17 +41,17 @@ class MetricPass {
   virtual ~MetricPass() = default;
   /// The tiles of image rows [begin, end) come next.
   virtual void rows_begin(int /*begin*/, int /*end*/) {}
-  /// A tile's part of the number, into an empty vector.
+  /// Writes a tile's part of the number into an empty vector.
   virtual void measure(const PairTile& tile, const TileMaps& maps, Part& part) = 0;
-  /// Adds what measure() made of one tile after the other: row by row of tiles, from left to right.
+  /// Adds the part that measure() made of each tile: row by row of tiles, from left to right.
   virtual void add(const Part& part) = 0;
   /// All tiles above image row y have been added; y is a multiple of TileGrid::tile_height, or the height.
   virtual void rows_done(int /*y*/, const ParallelLoop& /*loop*/) {}
-  /// The rows of the table that share a pass tell by `which` what they want of it. Empty where it is undefined.
+  /// The number of one row of the table; rows that share a pass differ in `which`. Empty where it is undefined.
   virtual std::optional<double> value(std::size_t which) const = 0;
 };
 
-/// A pass whose parts are sums that are added up.
+/// A pass whose parts are sums, which it adds up.
 class SumPass : public MetricPass {
  public:
   void add(const Part& part) override {

@@ -1,9 +1,9 @@
-// relmse = mean of (x-r)^2/(r^2+epsilon), epsilon = 0.01, as tev and SimpleImageIO define it (Rousselle, Knaus,
-// Zwicker: "Adaptive sampling and reconstruction using greedy error minimization", 2011). relmse_trimmed leaves out the
-// floor(pixels/1000) pixels of greatest error, which on caustics are a few fireflies. SimpleImageIO's newer releases
-// rank channel values where we rank pixels; its older ones rank pixels too.
+// The mean of (x-r)^2/(r^2+epsilon), epsilon = 0.01, as in tev and SimpleImageIO (Rousselle, Knaus, Zwicker: "Adaptive
+// sampling and reconstruction using greedy error minimization", 2011). The trimmed variant, relmse_trimmed, leaves out
+// the floor(pixels/1000) pixels of greatest error, which on caustics are a few fireflies. SimpleImageIO's newer
+// releases rank channel values where we rank pixels; its older ones rank pixels too.
 //
-// Ranking needs no more memory than the pixels that may go: those over a threshold are kept aside, and when they are
+// Ranking needs memory only for the pixels that may be left out. Those over a threshold are kept aside. When they are
 // many, the smaller ones are added to the sum after all and the threshold rises.
 
 #include <algorithm>
@@ -22,7 +22,7 @@ class RelmsePass : public MetricPass {
  public:
   explicit RelmsePass(const PairFacts& pair) : pixels_(pair.counted), trimmed_(pair.counted / kOnePixelIn) {}
 
-  /// First the sum over all pixels, then over those up to the threshold, then the errors over it.
+  /// The part holds the sum over all pixels, then the sum over those up to the threshold, then the errors over it.
   void measure(const PairTile& tile, const TileMaps& maps, Part& part) override {
     const auto r0 = tile.reference(0), r1 = tile.reference(1), r2 = tile.reference(2);
     const auto x0 = tile.test(0), x1 = tile.test(1), x2 = tile.test(2);
@@ -44,7 +44,7 @@ class RelmsePass : public MetricPass {
     worst_.insert(worst_.end(), part.begin() + 2, part.end());
   }
 
-  /// Tiles of one band of rows see the same threshold, whatever thread they are on.
+  /// The threshold changes only between bands of rows, so the tiles of a band use the same one on any thread.
   void rows_done(int, const ParallelLoop&) override {
     if (worst_.size() >= 2 * trimmed_ + 4096) keep_the_worst();
   }
@@ -74,14 +74,14 @@ class RelmsePass : public MetricPass {
       for (int x = 0; x < tile.width(); ++x) *map++ = tile.counts(x, y) ? static_cast<float>(*errors++) : 0.0f;
   }
 
-  /// Leaves the `trimmed_` greatest in worst_ and adds the others to the sum, in the order they came in.
+  /// Keeps the `trimmed_` largest errors in worst_ and adds the others to the sum, in the order of their arrival.
   void keep_the_worst() {
     if (worst_.size() <= trimmed_) return;
     const std::size_t going = worst_.size() - trimmed_;
     std::vector<double> ranked = worst_;
     std::nth_element(ranked.begin(), ranked.begin() + static_cast<std::ptrdiff_t>(going - 1), ranked.end());
     threshold_ = ranked[going - 1];
-    // Of errors equal to the threshold some may have to stay.
+    // Some errors equal to the threshold may have to stay.
     auto ties = static_cast<std::uint64_t>(std::count(worst_.begin(), worst_.end(), threshold_)) +
                 static_cast<std::uint64_t>(
                     std::count_if(worst_.begin(), worst_.end(), [&](double e) { return e > threshold_; })) -

@@ -1,4 +1,4 @@
-// The rows metrics.cpp tabulates: what one metric is called, how its bound is meant, and what computes it.
+// The rows of the table in metrics.cpp: a metric's name, the meaning of its bound, and its computation.
 #pragma once
 
 #include <memory>
@@ -14,33 +14,35 @@ class RowSource;
 
 namespace photonproof::inline harness_metrics {
 
-/// How a bound on a metric is meant.
+/// The meaning of a bound on a metric.
 enum class BoundKind { maximum, minimum, absolute_maximum };
 
-/// How the tiles of an image share its error, for largest_error_shares (statistics/error_shares.h). Nothing here is
-/// left out: a row without it does not compile.
+/// The shares of an image's tiles in its error, for largest_error_shares (statistics/error_shares.h). All members are
+/// required: a row without one does not compile.
 struct TileShares {
-  const char* by;                ///< the other metric whose tiles tell it, as mse's tell rmse; null: its own
-  double (*loss)(double value);  ///< what a tile's value is short of a perfect one; null where another's tiles tell it
-  bool greatest;                 ///< the greatest counts, alone: the losses of tiles are no parts of a sum over pixels
-  bool windows;                  ///< pixels around a tile count for it
+  const char* by;                ///< The other metric whose tiles locate this error, such as mse for rmse; null: its
+                                 ///< own.
+  double (*loss)(double value);  ///< The shortfall of a tile's value from a perfect one; null with `by`.
+  bool greatest;                 ///< Only the greatest tile counts: losses of tiles are no parts of a sum over pixels.
+  bool windows;                  ///< Pixels around a tile count for it.
 };
 
 struct MetricRow {
   const char* name;
   BoundKind bound;
-  /// Makes what gathers the number. Rows that name the same maker share one pass; `which` is their own number in it.
+  /// Makes the pass that computes the number. Rows with the same maker share one pass; `which` is their number in it.
   std::unique_ptr<MetricPass> (*pass)(const PairFacts&);
   std::size_t which;
   TileShares shares;
-  /// What its number depends on, "name=value, name, ...": a name alone is one of metric_parameters, which this metric
-  /// thereby has and whose value stands there in print. Null when there is nothing to say.
+  /// The dependencies of its number, "name=value, name, ...". A name alone is one of metric_parameters: the metric has
+  /// this parameter, and its value is printed there. Null without any.
   std::string (*parameters)();
-  /// When it is undefined, as a clause: "a side is under 11 pixels"; null when it always has a value.
+  /// The condition under which it is undefined, as a clause: "a side is under 11 pixels"; null when it always has a
+  /// value.
   const char* undefined_when;
   /// Computed only when MetricOptions name it.
   bool on_request = false;
-  /// Gives the parameters that nobody gave what the reference has for them; may be null.
+  /// Sets parameters without a given value from the reference; may be null.
   void (*derive)(ParameterValues&, RowSource& reference) = nullptr;
 };
 
@@ -50,16 +52,16 @@ std::span<const MetricRow> metric_rows();
 /// The row of that name, or null.
 const MetricRow* find_metric(const std::string& name);
 
-/// Whether the options ask for it: by its name, or by naming none where it is not on request.
+/// Whether the options include it: by its name, or by naming none where it is not on request.
 bool is_wanted(const MetricRow& row, const MetricOptions& options);
 
-/// Whether its number depends on it.
+/// Whether its number depends on the parameter.
 bool has_parameter(const MetricRow& row, const MetricParameter& parameter);
 
-/// The names of all that have it, "psnr, ssim".
+/// The names of all metrics with the parameter, "psnr, ssim".
 std::string metrics_with(const MetricParameter& parameter);
 
-/// What the row's number depends on, with the values of its parameters; a parameter without a value is left out.
+/// The dependencies of the row's number, with the values of its parameters; those without a value are left out.
 std::string parameters_text(const MetricRow& row, const ParameterValues& values);
 
 /// An empty value is undefined; only psnr may be infinite.
@@ -75,7 +77,7 @@ std::unique_ptr<MetricPass> mse_pass(const PairFacts& pair);
 // --- metric_mae.cpp: |x-r| over all channel values; 0 the mean, 1 the greatest ---------------------------------------
 std::unique_ptr<MetricPass> mae_pass(const PairFacts& pair);
 
-// --- metric_bias.cpp: mean(x-r)/mean(r); 0 overall, 1 to 3 of R, G, B; undefined when mean(r) is 0 -------------------
+// --- metric_bias.cpp: mean(x-r)/mean(r), undefined when mean(r) is 0; 0 overall, 1 to 3 of R, G, B -------------------
 std::unique_ptr<MetricPass> bias_pass(const PairFacts& pair);
 
 // --- metric_relmse.cpp: 0 the mean, 1 the trimmed one ----------------------------------------------------------------

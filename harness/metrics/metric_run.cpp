@@ -15,7 +15,7 @@
 namespace photonproof::inline harness_metrics {
 namespace {
 
-/// Loops on so many threads, each with its own tile memory.
+/// Loops on a number of threads, each with its own tile memory.
 class Workers {
  public:
   explicit Workers(int threads)
@@ -46,12 +46,12 @@ struct NonFinite {
   std::size_t count = 0;
   int x = 0, y = 0;
   std::size_t channel = 0;
-  float value = 0;  ///< the first one, its place and its channel
+  float value = 0;  ///< the first one; x, y and channel are its place
 
   void find(const float* rgb, int width, int first_row, int end_row) {
     const std::size_t row = 3 * static_cast<std::size_t>(width);
     for (int at = first_row; at < end_row; ++at, rgb += row) {
-      // v - v is 0 of finite values alone; the sum of a row tells whether to look closer.
+      // v - v is 0 only for finite values; the sum of a row shows whether to look closer.
       float sum = 0;
       float lanes[16] = {};
       std::size_t i = 0;
@@ -67,7 +67,7 @@ struct NonFinite {
     }
   }
 
-  /// Of rows below these.
+  /// Adds the count of rows below these.
   void add(const NonFinite& below) {
     const std::size_t all = count + below.count;
     if (count == 0) *this = below;
@@ -83,12 +83,12 @@ struct NonFinite {
   }
 };
 
-/// Consecutive rows of a source: a band and what its tiles need around it. Of an image in memory nothing is copied.
+/// Consecutive rows of a source: a band and the rows that its tiles need around it. An image in memory is not copied.
 class RowWindow {
  public:
   explicit RowWindow(RowSource& source) : source_(source) {}
 
-  /// Reads on to `end`, having dropped what is above `begin`.
+  /// Drops the rows above `begin`, then reads on to `end`.
   void move(int begin, int end, Workers& workers) {
     const std::size_t row = 3 * static_cast<std::size_t>(source_.width());
     const int from = std::max(begin, end_);
@@ -124,8 +124,8 @@ class RowWindow {
   NonFinite non_finite_;
 };
 
-/// Rows that are read and measured together: of about two million pixels, whole rows of tiles. The width alone decides,
-/// so that nothing else can show in a result.
+/// The number of rows that are read and measured together: whole rows of tiles of about two million pixels. It depends
+/// only on the width, so that nothing else affects a result.
 int band_height(int width) {
   const int rows = (1 << 21) / width / TileGrid::tile_height * TileGrid::tile_height;
   return std::clamp(rows, TileGrid::tile_height, 8 * TileGrid::tile_height);
@@ -156,7 +156,7 @@ class Run {
       const int begin = std::max(0, y - PairTile::reach), last = std::min(grid_.height, end + PairTile::reach);
       reference_.move(begin, last, workers_);
       test_.move(begin, last, workers_);
-      // No metric is told of an image with a hole; the rest is only read to count them.
+      // Metrics never get an image with non-finite values; the other rows are read only to count these.
       if (reference_.non_finite().count + test_.non_finite().count == 0) measure_band(y, end);
     }
   }

@@ -1,5 +1,5 @@
-// Runs the metrics over a pair of images: bands of rows are read, cut into tiles, and measured on all threads. What is
-// in memory at any time is a band, whatever the images' size.
+// Runs the metrics over a pair of images: bands of rows are read, cut into tiles, and measured on all threads. Memory
+// holds one band at a time, for any image size.
 #pragma once
 
 #include <vector>
@@ -9,30 +9,30 @@
 
 namespace photonproof::inline harness_metrics {
 
-/// Takes the maps behind the heat maps row after row.
+/// Receives the maps behind the heat maps, row after row.
 class MapSink {
  public:
   virtual ~MapSink() = default;
-  /// The next rows, of the images' width.
+  /// Adds the next rows, of the images' width.
   virtual void add(int rows, const float* flip, const float* error) = 0;
 };
 
 struct PairMeasurements {
-  std::vector<ImageDefect> defects;       ///< when there are any, no metric was computed
-  std::vector<Measurement> measurements;  ///< one for each row of the table that was asked for
-  int width = 0, height = 0;              ///< of the reference, or of the region
+  std::vector<ImageDefect> defects;       ///< if there are any, no metric was computed
+  std::vector<Measurement> measurements;  ///< one for each requested row of the table
+  int width = 0, height = 0;              ///< size of the reference, or of the region
 };
 
 /// `maps` may be null. The result has the same bits at any number of threads. Throws InputError when a source cannot be
-/// read, the region is no part of an image, or the mask's size is another.
+/// read, the region is not inside an image, or the mask has another size.
 PairMeasurements measure_pair(RowSource& reference, RowSource& test, const MetricOptions& options,
                               MapSink* maps = nullptr);
 
-/// The same of images in memory. Precondition: find_defects is empty.
+/// The same for images in memory. Precondition: find_defects is empty.
 std::vector<Measurement> measure(const Image& reference, const Image& test, const MetricOptions& options,
                                  MapSink* maps = nullptr);
 
-/// Those that have a finite value.
+/// The measurements with a finite value.
 std::vector<MetricValue> finite_values(std::vector<Measurement> measurements);
 
 }  // namespace photonproof::inline harness_metrics

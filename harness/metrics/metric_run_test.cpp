@@ -24,7 +24,7 @@ std::map<std::string, double> every_value(const Image& reference, const Image& t
   return values_of(measure(reference, test, options));
 }
 
-/// Many tiles, cut at the right and at the bottom.
+/// A size of many tiles, with cut ones at the right and at the bottom.
 constexpr int wide = 700, high = 300;
 
 TEST(MetricRun, gives_the_same_bits_at_any_number_of_threads) {
@@ -40,8 +40,8 @@ TEST(MetricRun, gives_the_same_bits_at_any_number_of_threads) {
 }
 
 TEST(MetricRun, tiles_do_not_show) {
-  // An image of one tile, and the same pixels again to its right and below, mirrored, so that the windows at the seams
-  // see what replicated borders would not show: only the pixelwise metrics are the same.
+  // An image of one tile, and the same pixels mirrored to its right and below. Windows at the seams then cover other
+  // pixels than replicated borders, so only the pixelwise metrics are the same.
   const Image reference = busy_image(90, 70, 2), test = busy_image(90, 70, 2, 2);
   const auto mirrored = [](const Image& image) {
     Image large(4 * image.width, 4 * image.height);
@@ -62,8 +62,8 @@ TEST(MetricRun, tiles_do_not_show) {
 }
 
 TEST(MetricRun, windows_reach_across_tiles) {
-  // Left and right of a seam between tiles at column 128, and of a column inside a tile: shifted by 64 pixels the maps
-  // are the same, where the filters do not reach the border.
+  // Left and right of a seam between tiles at column 128, and of a column inside a tile. Where the filters do not reach
+  // the border, the maps shifted by 64 pixels are the same.
   const Image noise = busy_image(400, 40), other = busy_image(400, 40, 1, 2);
   const auto shifted = [](const Image& image) {
     Image part(336, 40);
@@ -104,14 +104,14 @@ TEST(MetricRun, mask_of_everything_changes_nothing) {
   MetricOptions options;
   options.mask = mask;
   auto whole = every_value(reference, test, {});
-  whole.erase("ms_ssim");  // which is not defined under a mask
+  whole.erase("ms_ssim");  // undefined under a mask
   const auto masked = every_value(reference, test, options);
   ASSERT_EQ(masked.size(), whole.size());
   for (const auto& [name, value] : whole) EXPECT_DOUBLE_EQ(masked.at(name), value) << name;
 }
 
 TEST(MetricRun, mask_counts_its_pixels_alone) {
-  // Of 2000 pixels 100 count; 10 of those are off by 1 from 1 in all channels, as are 500 that do not count.
+  // 100 of 2000 pixels count; 10 of those are off by 1 from 1 in all channels, as are 500 that do not count.
   const Image reference = constant_image(50, 40, 1, 1, 1);
   Image test = reference;
   const auto mask = empty_mask(50, 40);
@@ -162,7 +162,7 @@ TEST(MetricRun, mask_of_another_size_is_refused) {
   }
 }
 
-/// Rows that are worked out when they are asked for; it notes how far apart the rows of one call are.
+/// Rows that are computed on request; it records the distance of the rows of one call.
 class MadeRows : public RowSource {
  public:
   explicit MadeRows(unsigned seed) : seed_(seed) {}
@@ -196,7 +196,7 @@ TEST(MetricRun, bands_of_rows_give_what_whole_images_do) {
   double sum = 0;
   for (std::size_t i = 0; i < errors.size() - 900; ++i) sum += static_cast<double>(errors[i]);
   EXPECT_NEAR(values_of(streamed.measurements).at("relmse_trimmed"), sum / (900000 - 900),
-              1e-7);  // the map is of floats
+              1e-7);  // the map holds floats
 }
 
 class MetricRunFiles : public FolderTest {};

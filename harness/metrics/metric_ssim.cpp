@@ -1,8 +1,8 @@
-// Structural similarity (metric_windows.h) on display-encoded values, per channel, then the mean of the three. Equal to
-// scikit-image's
-//   structural_similarity(gaussian_weights=True, sigma=1.5, use_sample_covariance=False, data_range=1, channel_axis=2)
-// Only windows that lie wholly inside the image count, so the treatment of borders does not matter.
-// ms_ssim, whose first scale this is, shares the pass.
+// Structural similarity (metric_windows.h) on display-encoded values, per channel, then the mean of the three. It
+// equals this function of scikit-image:
+//   structural_similarity(gaussian_weights=True, sigma=1.5, use_sample_covariance=False, data_range=1, channel_axis=2).
+// Only windows that lie wholly inside the image count, so the treatment of borders does not matter. This is the first
+// scale of ms_ssim, which shares the pass.
 
 #include "harness/metrics/metric_ms_ssim.h"
 #include "harness/metrics/metric_rows.h"

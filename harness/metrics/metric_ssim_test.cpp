@@ -12,7 +12,7 @@ TEST(Ssim, agrees_with_scikit_image) {
   const auto pairs = read_oracle_table("ssim_expected.csv");
   ASSERT_EQ(pairs.size(), 4u);
   for (const OraclePair& pair : pairs) {
-    // Both compute in double, but an 8-bit image is decoded to float here, which is good to 1e-7.
+    // Both compute in double, but an 8-bit image is decoded to float here, with an error of 1e-7.
     EXPECT_NEAR(metric_value("ssim", pair.reference, pair.test, pair.exposure).value(), pair.expected.at("ssim"), 1e-7)
         << pair.name;
   }
@@ -40,7 +40,7 @@ TEST(Ssim, is_left_out_where_a_side_is_under_its_window) {
   EXPECT_FALSE(metric_value("ssim", busy_image(10, 40), busy_image(10, 40, 1, 2)));
   EXPECT_FALSE(metric_value("ssim", busy_image(40, 10), busy_image(40, 10, 1, 2)));
   EXPECT_TRUE(metric_value("ssim", busy_image(11, 11), busy_image(11, 11, 1, 2)));
-  EXPECT_TRUE(metric_value("flip", busy_image(1, 1), busy_image(1, 1, 1, 2)));  // others work at any size
+  EXPECT_TRUE(metric_value("flip", busy_image(1, 1), busy_image(1, 1, 1, 2)));  // other metrics work at any size
 }
 
 TEST(Ssim, does_not_depend_on_the_order_of_the_images) {

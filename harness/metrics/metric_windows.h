@@ -1,6 +1,6 @@
-// The window statistics behind ssim and ms_ssim: Wang, Bovik, Sheikh, Simoncelli, "Image quality assessment: from error
-// visibility to structural similarity", 2004, eq. 13, over an 11 x 11 Gaussian window of sigma 1.5, on values in [0,1].
-// Instead of r and x the windows average s = r + x and d = r - x, whose moments say the same with one filter fewer.
+// The window statistics behind ssim and ms_ssim, for values in [0,1]: Wang, Bovik, Sheikh, Simoncelli, "Image quality
+// assessment: from error visibility to structural similarity", 2004, eq. 13. The window is an 11 x 11 Gaussian of sigma
+// 1.5. It averages s = r + x and d = r - x instead of r and x: same information, one filter fewer.
 #pragma once
 
 #include <cstddef>
@@ -13,18 +13,18 @@ inline constexpr int ssim_radius = 5;   ///< int(3.5 sigma + 0.5): scikit-image'
 inline constexpr int ssim_window = 11;  ///< 2 ssim_radius + 1
 static_assert(ssim_radius <= PairTile::encoded_reach);
 
-/// The similarity of `width` pixels, one row after the other: the last 11 rows' moments are kept, filtered along the
-/// row, so that all of it stays in the processor's nearest caches.
+/// The similarity of `width` pixels, one row after the other. The moments of the last 11 rows are kept, filtered along
+/// the row, so that all of them stay in the processor's nearest caches.
 class SimilarityRows {
  public:
-  /// From the row of each plane's core on, around which ssim_radius values more are there; the planes and the memory
+  /// Starts at the row of each plane's core, which has ssim_radius more values around it. The planes and the memory
   /// must outlive it.
   SimilarityRows(const TilePlane& reference, const TilePlane& test, std::size_t width, TileMemory& memory);
 
-  /// One row on; before the first call there is none.
+  /// Moves to the next row; before the first call there is none.
   void next();
   const double* ssim() const { return ssim_; }            ///< luminance, contrast and structure
-  const double* structure() const { return structure_; }  ///< contrast and structure alone
+  const double* structure() const { return structure_; }  ///< contrast and structure only
 
  private:
   static constexpr std::size_t moments = 4;  // means of s, d, s^2, d^2

@@ -27,11 +27,11 @@ constexpr TileShares kLikenessOfWindows{nullptr, short_of_one, false, true};
 constexpr TileShares kDecibels{nullptr, square_of_decibels, false, false};
 constexpr TileShares kGreatestPixel{nullptr, absolute, true, false};
 constexpr TileShares kGreatestWindow{nullptr, absolute, true, true};
-constexpr TileShares told_by(const char* metric) { return {metric, nullptr, false, false}; }
+constexpr TileShares shares_of(const char* metric) { return {metric, nullptr, false, false}; }
 
 constexpr std::array kRows = {
     MetricRow{"mse", maximum, mse_pass, 0, kPixels, nullptr, nullptr},
-    MetricRow{"rmse", maximum, mse_pass, 1, told_by("mse"), nullptr, nullptr},
+    MetricRow{"rmse", maximum, mse_pass, 1, shares_of("mse"), nullptr, nullptr},
     MetricRow{"mae", maximum, mae_pass, 0, kPixels, nullptr, nullptr},
     MetricRow{"max_abs", maximum, mae_pass, 1, kGreatestPixel, nullptr, nullptr},
     MetricRow{"bias", absolute_maximum, bias_pass, 0, kPixels, nullptr, kBlackReference},
@@ -39,24 +39,24 @@ constexpr std::array kRows = {
     MetricRow{"bias_g", absolute_maximum, bias_pass, 2, kPixels, nullptr, kBlackReference},
     MetricRow{"bias_b", absolute_maximum, bias_pass, 3, kPixels, nullptr, kBlackReference},
     MetricRow{"relmse", maximum, relmse_pass, 0, kPixels, relmse_parameters, nullptr},
-    MetricRow{"relmse_trimmed", maximum, relmse_pass, 1, told_by("relmse"), relmse_trimmed_parameters, nullptr},
+    MetricRow{"relmse_trimmed", maximum, relmse_pass, 1, shares_of("relmse"), relmse_trimmed_parameters, nullptr},
     MetricRow{"relmse_jeri", maximum, relmse_jeri_pass, 0, kPixels, relmse_jeri_parameters, nullptr},
     MetricRow{"mrse_pbrt", maximum, mrse_pbrt_pass, 0, kPixels, mrse_pbrt_parameters,
               "a value of the reference is -0.01"},
     MetricRow{"smape", maximum, smape_pass, 0, kPixels, smape_parameters, nullptr},
     MetricRow{"psnr", minimum, psnr_pass, 0, kDecibels, psnr_parameters, nullptr},
     MetricRow{"ssim", minimum, ssim_pass, 0, kLikenessOfWindows, ssim_parameters, kSmallImage},
-    MetricRow{"ms_ssim", minimum, ssim_pass, 1, told_by("ssim"), ms_ssim_parameters, kFewScales},
+    MetricRow{"ms_ssim", minimum, ssim_pass, 1, shares_of("ssim"), ms_ssim_parameters, kFewScales},
     MetricRow{"flip", maximum, flip_pass, 0, kWindows, flip_parameters, nullptr},
-    MetricRow{"flip_weighted_quartile1", maximum, flip_pass, 1, told_by("flip"), flip_parameters, nullptr},
-    MetricRow{"flip_weighted_median", maximum, flip_pass, 2, told_by("flip"), flip_parameters, nullptr},
-    MetricRow{"flip_weighted_quartile3", maximum, flip_pass, 3, told_by("flip"), flip_parameters, nullptr},
+    MetricRow{"flip_weighted_quartile1", maximum, flip_pass, 1, shares_of("flip"), flip_parameters, nullptr},
+    MetricRow{"flip_weighted_median", maximum, flip_pass, 2, shares_of("flip"), flip_parameters, nullptr},
+    MetricRow{"flip_weighted_quartile3", maximum, flip_pass, 3, shares_of("flip"), flip_parameters, nullptr},
     MetricRow{"flip_max", maximum, flip_pass, 4, kGreatestWindow, flip_parameters, nullptr},
     MetricRow{"hdr_flip", maximum, hdr_flip_pass, 0, kWindows, hdr_flip_parameters,
               "the reference is black, and no exposures are given", true, derive_hdr_exposures},
 };
 
-/// Every row's tiles are told by itself, or by a row that is.
+/// Checks that every row locates its tiles' error by itself, or by a row that does.
 constexpr bool shares_lead_somewhere() {
   return std::ranges::all_of(kRows, [](const MetricRow& row) {
     if (row.shares.by == nullptr) return row.shares.loss != nullptr;
@@ -67,7 +67,7 @@ constexpr bool shares_lead_somewhere() {
 }
 static_assert(shares_lead_somewhere());
 
-/// visit(part) of each "name" and "name=value" that the row's number depends on.
+/// Calls visit(part) for each "name" and "name=value" that the row's number depends on.
 template <class Visit>
 void for_each_part(const MetricRow& row, const Visit& visit) {
   const std::string text = row.parameters ? row.parameters() : std::string();

@@ -1,4 +1,4 @@
-// Image metrics as README's section of that name defines them: linear Rec.709 images, `reference` first, N = pixels x
+// Image metrics as docs/metrics.md defines them: linear Rec.709 images, `reference` first, N = pixels x
 // channels. A metric is one file (metric_*.cpp) and one row of the table in metrics.cpp.
 #pragma once
 
@@ -18,17 +18,17 @@ namespace photonproof::inline harness_metrics {
 struct MetricOptions {
   ParameterValues parameters{};
   int threads = 0;  ///< 0: all cores. The numbers do not depend on it.
-  /// Only these pixels count: of the pixelwise metrics their values, of the windowed ones (ssim, flip, hdr_flip) the
-  /// maps made from whole images. Of the images' size, or of the region's. Null: all count.
+  /// Only these pixels count: in pixelwise metrics their values, in windowed ones (ssim, flip, hdr_flip) the maps of
+  /// whole images. It has the images' size, or the region's. Null: all count.
   std::shared_ptr<const PixelMask> mask{};
-  /// As if both images had been cropped to this before.
+  /// Crops both images to this first.
   std::optional<PixelRegion> region{};
-  std::vector<std::string> only{};  ///< names of the table; empty: all that are not on request
-  std::vector<std::string> also{};  ///< names that are computed in any case
-  std::string mask_name{};          ///< for the parameters that are printed
+  std::vector<std::string> only{};  ///< Names in the table; empty: all that are not on request.
+  std::vector<std::string> also{};  ///< Names that are computed in addition.
+  std::string mask_name{};          ///< For the printed parameters.
 };
 
-/// A failure that no metric may hide: sizes differ or a value is not finite. The sentence says where.
+/// A failure that no metric may hide: sizes differ or a value is not finite. The sentence names the place.
 struct ImageDefect {
   enum class Kind { size_mismatch, non_finite } kind;
   std::string sentence;
@@ -36,8 +36,8 @@ struct ImageDefect {
 /// Empty when the pair can be compared.
 std::vector<ImageDefect> find_defects(const Image& reference, const Image& test);
 
-/// Every metric of the table that was asked for and has a finite value, in its order. Left out are psnr of images that
-/// are equal once encoded (infinite) and what the table says to be undefined. Precondition: find_defects is empty.
+/// Every requested metric of the table with a finite value, in the table's order. Left out are psnr of images that are
+/// equal once encoded (infinite) and metrics that the table calls undefined. Precondition: find_defects is empty.
 std::vector<MetricValue> compute_metrics(const Image& reference, const Image& test, const MetricOptions& options);
 
 }  // namespace photonproof::inline harness_metrics

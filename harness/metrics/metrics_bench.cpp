@@ -1,4 +1,4 @@
-// Every metric family by itself, and all of them, on a pair of 512 x 512 images, on one thread.
+// Times every metric family by itself, and all of them, on a pair of 512 x 512 images, on one thread.
 
 #include <benchmark/benchmark.h>
 
@@ -29,7 +29,7 @@ void every_metric(benchmark::State& state) {
 }
 BENCHMARK(every_metric)->Unit(benchmark::kMillisecond);
 
-/// On all cores, of a 3840 x 2160 pair in memory: what oracles/throughput.sh sets beside scikit-image.
+/// ssim on all cores for a 3840 x 2160 pair in memory; oracles/throughput.sh compares it with scikit-image.
 void ssim_4k(benchmark::State& state) {
   const Image reference = busy_image(3840, 2160, 1), test = busy_image(3840, 2160, 1, 2);
   MetricOptions options;
@@ -38,7 +38,7 @@ void ssim_4k(benchmark::State& state) {
 }
 BENCHMARK(ssim_4k)->Unit(benchmark::kSecond)->UseRealTime();
 
-/// What the row's pass takes of one run, the planes it shares with others included.
+/// The time of the row's pass for one run, including the planes that it shares with others.
 void one_metric(benchmark::State& state, const MetricRow& row) {
   const TileGrid grid{side, side};
   PairFacts pair{side, side, std::uint64_t{side} * side, false, {}};

@@ -72,13 +72,13 @@ TEST(Metrics, relative_metrics_of_other_tools_have_their_own_denominators) {
   EXPECT_NEAR(value_of("relmse_jeri", reference, test), 1 / (0.25 + 1e-4), 1e-12);
   EXPECT_NEAR(value_of("mrse_pbrt", reference, test), 1 / (0.51 * 0.51), 1e-12);
   EXPECT_NEAR(value_of("smape", reference, test), 2 / (1.5 + 0.5 + 0.02), 1e-12);
-  // Signs: |x| + |r| of -0.5 and 1.5 is the same 2, but they are 2 apart.
+  // Signs: |x| + |r| of -0.5 and 1.5 is the same 2, but the values are 2 apart.
   const Image negative = constant_image(12, 12, -0.5f, -0.5f, -0.5f);
   EXPECT_NEAR(value_of("smape", negative, test), 4 / 2.02, 1e-12);
 }
 
 TEST(Metrics, relmse_trimmed_leaves_out_one_pixel_in_a_thousand) {
-  // 2000 pixels of which two may go. Three are off by 1, 2 and 3 in all channels of r = 1: what is left is the least,
+  // Two of 2000 pixels may be left out. Three are off by 1, 2 and 3 in all channels of r = 1. The rest is the least,
   // 1/1.01 over the 1998 that stay.
   const Image reference = constant_image(50, 40, 1, 1, 1);
   Image test = reference;
@@ -89,13 +89,13 @@ TEST(Metrics, relmse_trimmed_leaves_out_one_pixel_in_a_thousand) {
 }
 
 TEST(Metrics, relmse_trimmed_leaves_out_no_more_and_no_fewer) {
-  // 40 000 pixels of which 40 may go, and 41 are wrong, one of them by less: a fraction 5 % too small would leave 39.
+  // 40 of 40 000 pixels may be left out; 41 are wrong, one of them by less. A fraction 5 % too small would leave 39.
   const Image reference = constant_image(200, 200, 1, 1, 1);
   Image test = reference;
   for (int i = 0; i < 41; ++i)
     for (int c = 0; c < 3; ++c) test.pixel(4 * i, 3 * i)[c] += i == 20 ? 1.0f : 2.0f;
   EXPECT_DOUBLE_EQ(value_of("relmse_trimmed", reference, test), 1 / 1.01 / 39960);
-  // With 40 wrong ones nothing is left.
+  // With 40 wrong ones no error remains.
   for (int c = 0; c < 3; ++c) test.pixel(80, 60)[c] = 1;
   EXPECT_EQ(value_of("relmse_trimmed", reference, test), 0);
   for (int c = 0; c < 3; ++c) test.pixel(3, 199)[c] = test.pixel(4, 199)[c] = 1.5f;
@@ -103,7 +103,7 @@ TEST(Metrics, relmse_trimmed_leaves_out_no_more_and_no_fewer) {
 }
 
 TEST(Metrics, relmse_trimmed_counts_equal_errors_at_the_limit_as_often_as_they_stay) {
-  // Every pixel is off alike, so leaving out two of 2000 changes nothing.
+  // Every pixel has the same error, so leaving out two of 2000 changes nothing.
   const Image reference = constant_image(50, 40, 1, 1, 1);
   const Image test = constant_image(50, 40, 2, 2, 2);
   EXPECT_DOUBLE_EQ(value_of("relmse_trimmed", reference, test), 1 / 1.01);
@@ -153,7 +153,7 @@ TEST(Metrics, displayed_metrics_see_no_difference_beyond_white_but_linear_ones_d
 }
 
 TEST(Metrics, parameters_travel_with_the_numbers) {
-  const Image reference = busy_image(161, 161);  // the least that every metric has a value for
+  const Image reference = busy_image(161, 161);  // the smallest size at which every metric has a value
   const Image test = busy_image(161, 161, 1, 2);
   std::map<std::string, std::string> parameters;
   const MetricOptions options{.parameters = {.exposure = -1.5, .hdr_exposures = ExposureRange{-2, 1.5, 3}},
@@ -175,7 +175,7 @@ TEST(Metrics, parameters_travel_with_the_numbers) {
 }
 
 std::map<std::string, Measurement> every_metric(const ParameterValues& values) {
-  // The least images that every metric has a value for.
+  // The smallest images for which every metric has a value.
   MetricOptions options{.parameters = values};
   for (const MetricRow& row : metric_rows()) options.also.emplace_back(row.name);
   std::map<std::string, Measurement> all;
@@ -303,8 +303,8 @@ TEST(Metrics, images_without_pixels_are_a_defect) {
 }
 
 TEST(MetricSum, long_sums_lose_no_more_than_short_ones) {
-  // Three million values off by 0.1: added one after the other the mean's error is about 5e-12; a tile at a time, in
-  // eight lanes, it stays near that of 49 152 / 8 additions, 3 of whose roundings of 1e-16 show.
+  // Three million values off by 0.1. Added one after the other, the mean's error is about 5e-12. Added a tile at a
+  // time, in eight lanes, it stays near that of 49 152 / 8 additions, of which 3 roundings of 1e-16 show.
   const Image reference = constant_image(1000, 1000, 0, 0, 0);
   const Image test = constant_image(1000, 1000, 0.1f, 0.1f, 0.1f);
   EXPECT_NEAR(value_of("mae", reference, test), static_cast<double>(0.1f), 1e-13);

@@ -1,4 +1,4 @@
-// Images and shorthands the metric tests share.
+// Images and shorthands for the metric tests.
 #pragma once
 
 #include <algorithm>
@@ -22,7 +22,7 @@ inline Image constant_image(int width, int height, float r, float g, float b) {
   return image;
 }
 
-/// Colours that change from pixel to pixel, without order but the same at every call, from 0 to `greatest`.
+/// Colours from 0 to `greatest` that change irregularly from pixel to pixel, but are the same at every call.
 inline Image busy_image(int width, int height, float greatest = 1, unsigned seed = 1) {
   Image image(width, height);
   unsigned state = seed;
@@ -42,8 +42,8 @@ inline std::optional<double> metric_value(const std::string& name, const Image& 
   return found->value;
 }
 
-// Whole maps of the metrics that heat maps show, of images in memory: LDR-FLIP in [0,1], and relative squared error
-// (x-r)^2/(r^2+0.01) averaged over channels. Row-major, one float a pixel.
+// Keeps whole maps of the metrics that heat maps show, for images in memory. They are LDR-FLIP in [0,1], and relative
+// squared error (x-r)^2/(r^2+0.01) averaged over channels. Row-major, one float a pixel.
 class KeptMaps : public MapSink {
  public:
   explicit KeptMaps(int width) : width_(static_cast<std::size_t>(width)) {}
@@ -71,7 +71,7 @@ inline std::vector<float> relmse_map(const Image& reference, const Image& test) 
   return std::move(maps.error_);
 }
 
-/// The numbers of its example, which is TOML.
+/// The numbers of the parameter's example, which is TOML.
 inline std::vector<double> example_of(const MetricParameter& parameter) {
   std::string text = parameter.example;
   std::erase_if(text, [](char c) { return c == '[' || c == ']'; });

@@ -1,4 +1,4 @@
-// Reads the tables of expected values in harness/oracles, for the tests that hold the metrics against them.
+// Reads the tables of expected values in harness/oracles, for the tests that compare metrics with them.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@
 
 namespace photonproof::inline harness_metrics {
 
-/// An image pair of harness/oracles and what an oracle says of it.
+/// An image pair of harness/oracles and an oracle's values for it.
 struct OraclePair {
   std::string name;
   Image reference, test;

@@ -1,4 +1,4 @@
-"""Expected values of every BSDF of scenes/FORMAT.md, from the published formulas: prints bsdfs_expected.tsv, which
+"""Expected values of every BSDF of docs/formats/scene.md, from the published formulas: prints bsdfs_expected.tsv, which
 renderer/bsdfs/bsdf_oracle_test.cpp reads.
 
     python3 harness/oracles/bsdfs.py > harness/oracles/bsdfs_expected.tsv      (standard library only; half a minute)
@@ -138,7 +138,7 @@ class RoughDielectric:
             return None
         below = (n_i * im + n_o * om) ** 2
         shape = abs(im * om / (i[2] * o[2])) * n_o ** 2 * self.f.density(m) * self.f.g1(i) * self.f.g1(o) / below
-        # Drawing i for a given o: equation 17 with the roles of the sides exchanged.
+        # Samples i for a given o: equation 17 with the roles of the sides exchanged.
         return m, fresnel(abs(om), n_i / n_o), shape, n_i ** 2 * abs(im) / below
 
     def eval(self, o, i):

@@ -126,7 +126,7 @@ def squares(u, v):
     return (1.2, 0.9, 0.3) if x == y else (0.05, 0.1, 0.3)
 
 
-# --- shapes: each gives (distance, radiance); the back of a lamp is black
+# --- shapes: each gives (distance, radiance); the back of a light is black
 class Card:
     def __init__(self, to_world, texture, disk=False):
         self.back, self.texture, self.disk = inverse(to_world), texture, disk
@@ -278,7 +278,7 @@ def fisheye(to_world, fov):
     return ray
 
 
-# --- filters, drawn by inversion of a table of the cumulative distribution
+# --- filters, sampled by inversion of a table of the cumulative distribution
 def drawn(weight, radius, cells=4096):
     x = [(i + 0.5) / cells * 2 * radius - radius for i in range(cells)]
     total, cumulative = 0.0, []
@@ -311,7 +311,7 @@ def drawn(weight, radius, cells=4096):
 
 
 def gaussian(stddev):
-    end = math.exp(-8)  # cut at four deviations, where it is brought down to 0
+    end = math.exp(-8)  # cut at four deviations, where it is lowered to 0
     return drawn(lambda v: max(0.0, math.exp(-v * v / (2 * stddev * stddev)) - end), 4 * stddev)
 
 
@@ -323,7 +323,7 @@ def box():
     return lambda u, low, high: u - 0.5
 
 
-# --- points: Halton's, moved anew in every pixel
+# --- points: Halton's, shifted by new offsets in every pixel
 def halton(i, base):
     f, r = 1.0, 0.0
     while i:

@@ -1,4 +1,4 @@
-"""Small scenes for mitsuba_parameters.py, one parameter of scenes/FORMAT.md each.
+"""Small scenes for mitsuba_parameters.py, one parameter of docs/formats/scene.md each.
 
 A scene is text that both programs read. `twin` is the text for Mitsuba where the format's own is an extension: a huge
 rectangle for a `plane`, `path` for `bdpt`. Every parameter has at least one scene in which it is not at its default, and
@@ -29,11 +29,11 @@ HIDDEN = ("Mitsuba's `path` and `direct` show the ball behind a hidden emitter w
 
 def integrator_cases():
     objects = ball(grey(0.8)) + shape("cube", place('<scale value="0.3"/>', '<translate x="1.2" z="0.8"/>'), MIRROR)
-    # A lamp that faces the camera, before the ball.
+    # A light that faces the camera, in front of the ball.
     shown = objects + shape("rectangle", place('<scale value="0.2"/>', '<lookat origin="0.3,0.6,2" target="0.5,1.2,5" '
                                                'up="0,1,0"/>'), area(rgb("radiance", "3,2,1")))
     for kind in ("path", "volpath", "ptracer"):
-        # A light tracer does not meet mirrors, and Mitsuba's meets no sky.
+        # A light tracer finds no mirrors, and Mitsuba's finds no sky.
         seen = dict(lights=LAMP) if kind == "ptracer" else {}
         things = ball(grey(0.8)) if kind == "ptracer" else objects
         yield Case(f"{kind}", scene(things, integrator=element("integrator", kind), **seen))
@@ -106,7 +106,7 @@ def sensor_cases():
                fov=number("fov", 30) + string("fov_axis", "y") + lens + number("focus_distance", 5))
     yield case("thinlens focal_length", kind="thinlens",
                fov=string("focal_length", "50mm") + lens + number("focus_distance", 5))
-    # Mitsuba's thin lens has no such parameter; that of a lens without extent is the pinhole's.
+    # Mitsuba's thin lens has no such parameter; without an extent its image is the pinhole's.
     shift = number("fov", 40) + number("principal_point_offset_x", -0.1) + number("principal_point_offset_y", 0.2)
     yield Case("thinlens principal_point_offset", scene(
         body, sensor=camera(kind="thinlens", fov=shift + number("aperture_radius", 0))), scene(body, sensor=camera(fov=shift)))

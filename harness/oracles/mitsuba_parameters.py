@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Renders small scenes, one parameter of scenes/FORMAT.md each, by photonproof and by Mitsuba 3, and compares the pictures.
+"""Renders small scenes, one parameter of docs/formats/scene.md each, by photonproof and by Mitsuba 3, and compares the pictures.
 
     PYTHON harness/oracles/mitsuba_parameters.py build/release/bin/photonproof -o out/mitsuba-parameters \\
         --markdown reports/published/mitsuba-parameters.md
@@ -35,7 +35,7 @@ import mitsuba_scene_parts
 
 SEEDS = 8
 BLOCKS = (6, 8)  # rows, columns
-CHANCE = 5e-4    # of one scene; of 300 healthy ones one in seven tables has one
+CHANCE = 5e-4    # for one scene: of 300 right scenes, one in seven tables has a false alarm
 
 
 # ---- rendering --------------------------------------------------------------------------------------------------------
@@ -125,7 +125,7 @@ def compare(ours, theirs):
     block_scale = np.maximum(b.mean(axis=0), 0.05 * scale)
     block_difference = (a.mean(axis=0) - b.mean(axis=0)) / block_scale
     block_error = np.sqrt((a.var(axis=0, ddof=1) + b.var(axis=0, ddof=1)) / len(ours)) / block_scale
-    # A block in which no sample of either program varies is compared to single precision.
+    # Where no sample of either program varies, a block is compared to single precision.
     block_error = np.maximum(block_error, 2e-6)
     t = np.abs(block_difference) / block_error
     where = np.unravel_index(int(np.argmax(t)), t.shape)
@@ -162,7 +162,7 @@ def render_case(case, index, arguments, mitsuba, photonproof, pool):
     ours_path.write_text(case.text)
     theirs_path.write_text(case.twin or case.text)
     spp, rounds_ours, rounds_theirs = arguments.spp, [], []
-    seed = zlib.crc32(case.name.encode()) % 10**6  # so that scenes do not share their noise
+    seed = zlib.crc32(case.name.encode()) % 10**6  # so that scenes have different noise
     if "width" not in case.text:  # the default film has 144 times the pixels of the others
         spp = 4
     while True:
@@ -226,7 +226,7 @@ def shown(record):
 
 
 def parameters_of_format(page):
-    """(kind, plugin, parameter) of every row of FORMAT.md's tables that is no extension."""
+    """(kind, plugin, parameter) of every row of the tables in docs/formats/scene.md that is no extension."""
     kind, plugin, rows, earlier, extension = "", "", set(), {}, False
     for line in page.splitlines():
         heading = re.match(r"### (\w+)$", line)
@@ -312,7 +312,7 @@ def main():
     arguments = parse_arguments()
     cases = scenes.all_cases()
     if arguments.list:
-        page = (Path(__file__).resolve().parents[2] / "scenes/FORMAT.md").read_text()
+        page = (Path(__file__).resolve().parents[2] / "docs/formats/scene.md").read_text()
         print("\n".join(case.name for case in cases))
         for row in sorted(parameters_of_format(page) - parameters_of_scenes(cases)):
             print("no scene:", " ".join(row), file=sys.stderr)

@@ -5,7 +5,7 @@
 - Tables of numbers that tests read are printed again by the scripts that made them: other methods, or Mitsuba itself.
 - Constants that tests hold are looked for in those tests, number by number.
 - `compare` and the tables of its metrics are held against scikit-image and flip-evaluator.
-- Small scenes, a parameter of scenes/FORMAT.md each, are rendered beside Mitsuba (mitsuba_parameters.py).
+- Small scenes, a parameter of docs/formats/scene.md each, are rendered beside Mitsuba (mitsuba_parameters.py).
 
 --only chooses checks by name, --scenes those that Mitsuba renders. Exit codes: 0 all agree, 1 some do not.
 """
@@ -27,14 +27,14 @@ FOLDER = Path(__file__).resolve().parent
 ROOT = FOLDER.parents[1]
 NUMBER = re.compile(r"(?<![\w.])[+-]?\d+(?:\.\d*)?(?:e[+-]?\d+)?(?![\w.])|(?<![\w.])[+-]?\.\d+")
 
-# A script prints the numbers of a file of the tree.
+# Scripts that print the numbers of a file of the tree.
 TABLES = [
     (["bsdfs.py"], "harness/oracles/bsdfs_expected.tsv", 2e-6),
     (["ms_ssim_oracle.py"], "harness/oracles/ms_ssim_expected.csv", 1e-9),
     (["sky_oracle.py", "sky"], "scenes/sky/sky_hosek_wilkie_table.cpp", 0),
     (["sky_oracle.py", "sun"], "scenes/sky/sun_irradiance_table.cpp", 0),
 ]
-# Every number that a script prints stands in one of the files.
+# Scripts whose printed numbers all occur in one of the files.
 CONSTANTS = [
     (["charts.py"], ["renderer/integrators/chart_scenes_test.cpp"]),
     (["mapped_normals.py"], ["renderer/scene/mapped_normals_test.cpp"]),
@@ -84,13 +84,13 @@ def judged_by_packages(reference, test, exposure):
                                  channel_axis=2)
     single = [np.clip(image * 2.0**exposure, 0, 1).astype(np.float32) for image in linear]
     flip = flip_evaluator.evaluate(*single, "LDR", inputsRGB=False, applyMagma=False)[1]
-    # As the paper clamps them.
+    # Clamped as in the paper.
     single = [np.clip(image, 0, 65536).astype(np.float32) for image in linear]
     _, hdr_flip, settings = flip_evaluator.evaluate(*single, "HDR", applyMagma=False)
     mse = mean_squared_error(*linear)
     return {"ssim": (ssim, 1e-7), "psnr": (peak_signal_noise_ratio(*shown, data_range=1), 1e-5), "mse": (mse, 1e-6 * mse),
             "flip": (flip, FLIP_TOLERANCE), "hdr_flip": (hdr_flip, FLIP_TOLERANCE),
-            # Its median of an even number of pixels is one of the two in the middle, ours their mean.
+            # FLIP's median of an even number of pixels is one of the two in the middle, ours is their mean.
             "start": (settings["startExposure"], 1e-4), "stop": (settings["stopExposure"], 2e-3),
             "count": (settings["numExposures"], 0)}
 

@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
-# Holds `compare`, the renderer and the tables that tests read against other people's programs; exit 1 where they disagree.
+# Checks `compare`, the renderer and the tests' tables against other people's programs; exits with 1 if they disagree.
 #
 #   harness/oracles/nightly.sh [PROGRAM [OPTIONS of nightly.py]]      PROGRAM: default build/release/bin/photonproof
 #
-# The other programs are packages of Python's index, whose versions requirements.txt pins, in an environment of their own below
-# build/. nightly.py says what is held against what.
+# The other programs are packages of Python's index with versions pinned by requirements.txt, in an environment of their
+# own in build/. nightly.py lists the comparisons.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 program=${1:-build/release/bin/photonproof}

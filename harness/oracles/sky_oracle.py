@@ -130,7 +130,7 @@ def words(values):
     return "{" + ", ".join(f"{x:.7g}" for x in values) + "}"
 
 
-# Turbidity, albedo, the sun's height above the horizon, the view's angle from the zenith and its azimuth from the sun's.
+# Turbidity, albedo, the sun's height above the horizon, the view's angle from the zenith, its azimuth from the sun's.
 LOOKS = [(3, (0.3, 0.3, 0.3), 45, 0, 0), (3, (0.3, 0.3, 0.3), 45, 45, 10), (3, (0, 0, 0), 45, 45, 90),
          (3, (1, 1, 1), 45, 45, 90), (2.4, (0.3, 0.3, 0.3), 10, 85, 180), (2.4, (0.3, 0.3, 0.3), 10, 75, 20),
          (1, (0.2, 0.2, 0.2), 60, 60, 120), (10, (0.2, 0.2, 0.2), 30, 30, 60), (6.7, (0.5, 0.5, 0.5), 1, 80, 45),
@@ -149,9 +149,9 @@ def write_expected():
     for turbidity, height in SUNS:
         towards = direction(90 - height, 0)
         value = radiance(towards, turbidity=float(turbidity), sky_scale=0.0, sun_direction=towards, sun_aperture=20.0)
-        # A blue below 0 counts as none.
+        # A negative blue counts as 0.
         print(f"      {{{turbidity}, {height}, {words([max(x * disc, 0) for x in value])}}},")
-    # Sums over all numbers, plain and with weights 1, 2, 3, ... modulo 101 by place: any digit shows.
+    # Sums over all numbers, plain and with weights 1, 2, 3, ... modulo 101 by place, so that any wrong digit shows.
     for shape, mean in sky_tables():
         sums = [(math.fsum(a.flat), math.fsum(x * (i % 101 + 1) for i, x in enumerate(a.flat))) for a in (shape, mean)]
         print("{" + ", ".join(f"{plain:.9f}, {weighted:.7f}" for plain, weighted in sums) + "}")

@@ -57,7 +57,7 @@ def seen_from(latitude, longitude_east, jd_universal, delta_t_seconds):
     return 90 - altitude + parallax, azimuth % 360
 
 
-# Latitude, longitude, time zone; year, month, day, hour, minute, second; TT - UT of the year, seconds.
+# Rows: latitude, longitude, time zone, year, month, day, hour, minute, second, and TT - UT of the year in seconds.
 CASES = [(35.6894, 139.6917, 9, 2010, 7, 10, 15, 0, 0, 66), (-33.87, 151.21, 10, 2024, 2, 29, 9, 17, 40, 69),
          (64.15, -21.94, 0, 2000, 4, 3, 19, 45, 0, 64), (-54.8, -68.3, -3, 1995, 10, 6, 7, 5, 30, 61),
          (27.7, 85.33, 5.75, 2033, 12, 31, 11, 30, 0, 75), (1.3, 103.8, 8, 2016, 5, 27, 12.5, 0, 0, 68)]

@@ -20,7 +20,7 @@ bool same_part(const PixelRegion& a, const PixelRegion& b) {
   return a.x == b.x && a.y == b.y && a.width == b.width && a.height == b.height;
 }
 
-/// Empty where they share no pixel.
+/// The region that both have; empty where they share no pixel.
 std::optional<PixelRegion> shared_part(const PixelRegion& a, const PixelRegion& b) {
   const int x = std::max(a.x, b.x), y = std::max(a.y, b.y);
   const int x_end = std::min(a.x + a.width, b.x + b.width), y_end = std::min(a.y + a.height, b.y + b.height);

@@ -1,5 +1,5 @@
-// From linear radiance to what a display shows: the encoding behind psnr, ssim and flip. The exposure is pinned by the
-// caller; an automatic one would make two scores incomparable.
+// Converts linear radiance to display values for psnr, ssim and flip. The caller fixes the exposure; an automatic one
+// would make two scores incomparable.
 #pragma once
 
 #include <vector>

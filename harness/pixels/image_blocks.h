@@ -1,4 +1,4 @@
-// The blocks of 8 x 8 pixels over which tests of images take means, so that a small wide bias shows.
+// Blocks of 8 x 8 pixels, over which tests of images take means to find a small bias over a wide area.
 #pragma once
 
 #include <algorithm>
@@ -9,7 +9,7 @@ namespace photonproof::inline harness_pixels {
 
 inline constexpr int block_side = 8;
 
-/// Pixels [x0, x1) x [y0, y1); at the right and lower edge what is left of a block.
+/// Pixels [x0, x1) x [y0, y1), with smaller blocks at the right and lower edges.
 struct Block {
   int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
   double pixels() const { return static_cast<double>(x1 - x0) * (y1 - y0); }

@@ -4,7 +4,7 @@ namespace photonproof::inline harness_pixels {
 namespace {
 
 constexpr double share_of_variance = 0.25;
-// Of the variance against that of rounding, step^2/12 on each side.
+// Least ratio of the variance to that of rounding, step^2/12 on each side.
 constexpr double least_noise_to_rounding = 8;
 
 }  // namespace

@@ -27,8 +27,8 @@ TEST(MetricFilter, gaussian_sums_to_one_and_falls_off_as_it_should) {
 }
 
 TEST(MetricFilter, taps_read_the_neighbours_on_either_side) {
-  // A ramp of slope 1 along x and 100 along y: an even kernel of sum 1 returns the middle, an odd one the slope times
-  // sum_k 2 k w_k = 2 (1 + ... + 9) = 90 where all w_k are 1.
+  // A ramp of slope 1 along x and 100 along y: an even kernel of sum 1 returns the middle value. An odd kernel returns
+  // the slope times sum_k 2 k w_k = 2 (1 + ... + 9) = 90, with all w_k = 1.
   const int reach = 10;
   const std::size_t width = 21, height = 4, stride = width + 2 * reach;
   std::vector<double> plane(stride * (height + 2 * reach));
@@ -61,7 +61,7 @@ TEST(MetricFilter, taps_read_the_neighbours_on_either_side) {
 }
 
 TEST(MetricFilter, weights_meet_the_values_at_their_distance) {
-  // Of an impulse every kernel returns itself.
+  // An impulse gives the kernel itself.
   const std::size_t width = 21;
   std::vector<double> plane(width + 20), out(width);
   plane[20] = 1;
@@ -74,8 +74,8 @@ TEST(MetricFilter, weights_meet_the_values_at_their_distance) {
 }
 
 TEST(MetricFilter, rows_from_anywhere_are_weighed_by_their_place_in_the_list) {
-  // Row k holds 10^k: the result's digits are the weights; weight[|k - 5|] = |k - 5| + 1 makes them 6 5 4 3 2 1 2 3 4
-  // 5 6.
+  // Row k holds 10^k, so the result's digits are the weights. The weights weight[|k - 5|] = |k - 5| + 1 make them 6 5 4
+  // 3 2 1 2 3 4 5 6.
   const Taps taps{5, {1, 2, 3, 4, 5, 6}};
   const std::size_t width = 37;
   std::vector<std::vector<double>> rows;
@@ -98,7 +98,7 @@ TEST(PixelLoops, encoding_is_the_standards_formula) {
 }
 
 TEST(PixelLoops, every_instruction_set_gives_the_same_bits) {
-  // FLIP runs all of the elementary functions; 37 leaves every vector width a rest.
+  // FLIP calls all of the elementary functions; 37 is no multiple of any vector width.
   const std::size_t n = 37;
   const Image image = busy_image(static_cast<int>(n), 4);
   std::vector<double> in[8];

@@ -1,4 +1,4 @@
-// Sums that do not depend on anything but their terms: double, in a fixed order.
+// Sums that depend on their terms alone: double, in a fixed order.
 #pragma once
 
 #include <algorithm>
@@ -6,8 +6,8 @@
 
 namespace photonproof::inline harness_pixels {
 
-/// term(0) + ... + term(count - 1), as eight sums of every eighth term, so that the loop vectorises and the rounding
-/// errors of many terms stay small.
+/// Computes term(0) + ... + term(count - 1) as eight sums of every eighth term. So the loop vectorises, and the
+/// rounding errors of many terms stay small.
 template <class Term>
 double lane_sum(std::size_t count, const Term& term) {
   constexpr std::size_t lanes = 8;
@@ -19,7 +19,7 @@ double lane_sum(std::size_t count, const Term& term) {
   return ((sums[0] + sums[4]) + (sums[2] + sums[6])) + ((sums[1] + sums[5]) + (sums[3] + sums[7]));
 }
 
-/// A sum with the rounding error of each addition carried along (Neumaier 1974): as good as one of twice the digits.
+/// A sum that carries the rounding error of each addition along (Neumaier 1974), as accurate as twice the digits.
 class ExactSum {
  public:
   void add(double v) {

@@ -1,4 +1,4 @@
-// The value in the middle of what pixels have, which outliers do not move.
+// The median of pixels' values, which outliers do not move.
 #pragma once
 
 #include <algorithm>
@@ -7,7 +7,7 @@
 
 namespace photonproof::inline harness_pixels {
 
-/// The median, of an even number the upper one in the middle; 0 of none.
+/// The median; the upper of the two middle values if the number is even, 0 if there is none.
 template <class Value>
 Value middle_of(std::vector<Value> values) {
   if (values.empty()) return Value{0};

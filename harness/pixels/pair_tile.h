@@ -1,5 +1,5 @@
-// A rectangle of an image pair with what lies around it: what every metric looks at, one tile at a time. Planes are
-// made at first use and shared by the metrics.
+// A rectangle of an image pair with its surroundings, so that every metric works tile by tile. Planes are made at first
+// use and shared by the metrics.
 #pragma once
 
 #include <array>
@@ -12,14 +12,14 @@
 
 namespace photonproof::inline harness_pixels {
 
-/// Buffers handed out again and again, so that no tile waits for fresh memory.
+/// Buffers that are used again and again, so that no tile has to allocate memory.
 class TileMemory {
  public:
   /// Lasts as long as the Frame it was taken in.
   template <class T>
   T* take(std::size_t count);
 
-  /// Gives back what was taken since it was made.
+  /// Returns the memory that was taken since the frame was made.
   class Frame {
    public:
     explicit Frame(TileMemory& memory) : memory_(memory), used_(memory.used_) {}
@@ -40,13 +40,13 @@ class TileMemory {
   std::size_t used_ = 0;
 };
 
-/// One channel in doubles, row by row. `core` is the tile's first pixel; rows and columns around it are there as far as
-/// the plane reaches.
+/// One channel in doubles, row by row. `core` is the tile's first pixel, with rows and columns around it as far as the
+/// plane reaches.
 struct TilePlane {
   const double* core;
   std::size_t stride;
 
-  /// From the tile's pixel (x, y) on.
+  /// The part of the plane from the tile's pixel (x, y) on.
   TilePlane at(int x, int y) const { return {core + static_cast<std::ptrdiff_t>(stride) * y + x, stride}; }
 };
 using TileColour = std::array<TilePlane, 3>;
@@ -57,7 +57,7 @@ struct RowBlock {
   int first = 0;  ///< the row that rgb begins with
 };
 
-/// Where an image pair's tiles are cut.
+/// The grid that cuts an image pair into tiles.
 struct TileGrid {
   static constexpr int tile_width = 128, tile_height = 128;
   int width, height;
@@ -66,13 +66,14 @@ struct TileGrid {
 
 class PairTile {
  public:
-  /// How far planes go beyond the tile: the radius of FLIP's widest filter. Beyond the image the nearest pixel stands.
+  /// How far planes extend beyond the tile: the radius of FLIP's widest filter. Beyond the image the nearest pixel is
+  /// repeated.
   static constexpr int reach = 10;
-  /// What ssim needs.
+  /// The reach that ssim needs.
   static constexpr int encoded_reach = 5;
 
   /// Pixels [x0, x0 + width) x [y0, y0 + height) of images of the grid's size. The blocks hold at least its rows and
-  /// `reach` more each way, as far as the image has them. `mask` may be null. All must outlive the tile.
+  /// `reach` more rows each way, within the image. `mask` may be null. All must outlive the tile.
   PairTile(const TileGrid& grid, int x0, int y0, const RowBlock& reference, const RowBlock& test, const PixelMask* mask,
            double exposure, TileMemory& memory);
   PairTile(const PairTile&) = delete;
@@ -85,11 +86,11 @@ class PairTile {
   int image_width() const { return grid_.width; }
   int image_height() const { return grid_.height; }
   std::size_t pixels() const { return static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_); }
-  /// Whether the pixel counts, of the tile's own coordinates.
+  /// Whether the pixel at the tile's own coordinates counts.
   bool counts(int x, int y) const { return !mask_ || mask_->at(x0_ + x, y0_ + y); }
   bool all_count() const { return !mask_; }
 
-  /// Linear values of the pixels that count, row after row, a channel each.
+  /// Linear values of the pixels that count, row after row, for each channel.
   std::span<const float> reference(std::size_t channel) const { return counted(0, channel); }
   std::span<const float> test(std::size_t channel) const { return counted(1, channel); }
 
@@ -102,10 +103,10 @@ class PairTile {
   LinearPlane linear(std::size_t which, std::size_t channel) const;
   /// Scaled by 2^exposure and clamped to [0,1], still linear, with `reach`.
   TileColour exposed(std::size_t which) const;
-  /// And sRGB-encoded, with `encoded_reach`.
+  /// The same, sRGB-encoded, with `encoded_reach`.
   TileColour encoded(std::size_t which) const;
 
-  /// For what a metric needs beside; a Frame of it must not hold a plane's first use.
+  /// Memory for a metric's own data. No Frame of it may be open when a plane is first used.
   TileMemory& memory() const { return memory_; }
 
  private:

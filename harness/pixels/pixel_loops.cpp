@@ -1,5 +1,5 @@
-// See pixel_loops.h. This file is compiled for several instruction sets into one program: everything but the table has
-// internal linkage and nothing of the standard library is called, so that no code for a newer processor can be linked
+// See pixel_loops.h. This file is compiled for several instruction sets into one program. Everything except the table
+// has internal linkage, and nothing of the standard library is called. So code for a newer processor is never linked
 // into what an older one runs.
 
 #include "harness/pixels/pixel_loops.h"
@@ -16,8 +16,8 @@ inline double unit_clamp(double v) {
   return low < 1 ? low : 1;
 }
 
-/// Cube root of t in [0.001, 1] within 2e-14: a third of the exponent as first guess (within 3.5 %), then Halley's
-/// iteration y (y^3 + 2t) / (2y^3 + t), which cubes the error, once in float and once in double.
+/// Cube root of t in [0.001, 1] within 2e-14. The first guess has a third of the exponent (within 3.5 %). Halley's
+/// iteration y (y^3 + 2t) / (2y^3 + t) cubes the error, once in float and once in double.
 inline double cube_root(double t) {
   const auto ft = static_cast<float>(t);
   const auto third = static_cast<float>(__builtin_bit_cast(std::int32_t, ft)) * (1.0f / 3) + 709965728.0f;
@@ -29,9 +29,9 @@ inline double cube_root(double t) {
   return y * (y3 + 2 * t) / (2 * y3 + t);
 }
 
-/// v^(5/12) of v in [0.003, 1] within 1e-14, without roots and divisions: z = v^(-1/12) from minus a twelfth of the
-/// exponent (within 3.5 %), three of Newton's iterations z (13 - v z^12) / 12 in float (each squares the error, times
-/// 6.5), then in double z (1 + r/12 + 13 r^2 / 288 + ...) with r = 1 - v z^12, which cubes it; v^(5/12) = v z^7.
+/// v^(5/12) of v in [0.003, 1] within 1e-14, without roots and divisions. Starts z = v^(-1/12) from minus a twelfth of
+/// the exponent (within 3.5 %). Three of Newton's iterations z (13 - v z^12) / 12 in float each square the error, times
+/// 6.5. Then z (1 + r/12 + 13 r^2 / 288 + ...) in double, with r = 1 - v z^12, cubes it; v^(5/12) = v z^7.
 inline double power_5_12(double v) {
   const auto fv = static_cast<float>(v);
   const auto twelfth = 1153700000.0f - static_cast<float>(__builtin_bit_cast(std::int32_t, fv)) * (1.0f / 12);
@@ -51,7 +51,7 @@ inline double power_5_12(double v) {
 /// log2 of a normal x > 0 within 1e-12.
 inline double log2_of(double x) {
   const auto bits = __builtin_bit_cast(std::uint64_t, x);
-  // The exponent as a double: its bits below those of 2^52.
+  // The exponent as a double: its bits are placed below those of 2^52.
   const double exponent = __builtin_bit_cast(double, (bits >> 52) | 0x4330000000000000u) - (4503599627370496.0 + 1023);
   const double m = __builtin_bit_cast(double, (bits & 0xfffffffffffffu) | 0x3ff0000000000000u);  // [1, 2)
   // log m = log(sqrt 2) + 2 artanh s, |s| <= 0.1716; the series to s^13 leaves 2 s^15 / 15 = 4e-13.
@@ -121,8 +121,8 @@ void encode(const double* restrict linear, std::size_t n, double* restrict out) 
 
 // --- filters ---------------------------------------------------------------------------------------------------------
 
-// One row of one to three kernels: values are loaded and folded once for all of them. `ivdep`: results never overlap
-// what is read.
+// One row for one to three kernels: values are loaded and folded once for all of them. `ivdep`: the results never
+// overlap the input.
 
 template <int radius>
 inline void row_even(const double* in, std::ptrdiff_t step, std::size_t width, const double* weight, double* out) {

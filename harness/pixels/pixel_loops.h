@@ -1,5 +1,5 @@
-// The loops over pixels that take most of the time of ssim, ms_ssim and flip, compiled once for each instruction set.
-// Plain loops that the compiler vectorises; no contraction and no reassociation, so that all sets give the same bits.
+// Loops over pixels that take most of the time of ssim, ms_ssim and flip, compiled once for each instruction set. The
+// compiler vectorises plain loops without contraction and reassociation, so all sets give the same bits.
 #pragma once
 
 #include <cstddef>
@@ -14,7 +14,7 @@ struct Taps {
   double weight[greatest_radius + 1] = {};
 };
 
-/// What a filter reads. `in` is the value under the first result's middle tap, `step` the distance of neighbouring
+/// Input of a filter. `in` is the value under the first result's middle tap. `step` is the distance of neighbouring
 /// taps: 1 along a row, in_stride along a column.
 struct FilterSpan {
   const double* in;
@@ -22,7 +22,7 @@ struct FilterSpan {
   std::ptrdiff_t step;
   std::size_t width, height;
 };
-/// And where one of its results goes.
+/// Where the filter writes one of its results.
 struct FilterResult {
   const Taps& taps;
   double* out;
@@ -47,21 +47,21 @@ struct PixelLoops {
   void (*expose)(const float* linear, std::size_t n, double scale, double* out);
   /// ACES of scale * clamp(v, 0, 65536), clamped to [0, 1]: still linear (metric_hdr_flip.cpp).
   void (*tone_map)(const float* linear, std::size_t n, double scale, double* out);
-  /// The sRGB transfer of values in [0, 1], within 1e-14 of itself.
+  /// The sRGB transfer of values in [0, 1], within 1e-14 of the exact one.
   void (*encode)(const double* linear, std::size_t n, double* out);
   /// Even kernels, sum_k weight[k] (in[-k] + in[k]) with the middle once, of radius 5, 7, 9 or 10.
   void (*filter)(const FilterSpan& span, const FilterResult& even);
-  /// The same down the columns of 2 radius + 1 rows that need not follow each other in memory; of radius 5.
+  /// The same down the columns of 2 radius + 1 rows, which need not be adjacent in memory; radius 5.
   void (*filter_rows)(const double* const* rows, const Taps& even, std::size_t width, double* out);
-  /// Two kernels on the same values: even ones of radius 10; of radius 9 an odd one, sum_k weight[k] (in[k] - in[-k]),
-  /// and an even one.
+  /// Two kernels on the same values: even ones of radius 10; or, of radius 9, an odd one, sum_k weight[k] (in[k] -
+  /// in[-k]), and an even one.
   void (*filter_twice)(const FilterSpan& span, const FilterResult& even, const FilterResult& other_even);
   void (*filter_odd_even)(const FilterSpan& span, const FilterResult& odd, const FilterResult& even);
 
   /// s = r + x, d = r - x and their squares.
   void (*sum_and_difference)(const double* r, const double* x, std::size_t n, double* s, double* d, double* ss,
                              double* dd);
-  /// Of their window means: luminance term times contrast and structure, and the latter alone (metric_ssim.cpp).
+  /// From the window means: luminance term times contrast and structure, and the latter alone (metric_ssim.cpp).
   void (*similarity)(const double* s, const double* d, const double* ss, const double* dd, std::size_t n, double* ssim,
                      double* structure);
 
@@ -79,7 +79,7 @@ struct PixelLoops {
 
 /// The loops for the best instruction set this processor has.
 const PixelLoops& pixel_loops();
-/// All that it has, best first.
+/// All loops that this processor can run, best first.
 const PixelLoops* const* available_pixel_loops();  ///< ends with a null pointer
 
 }  // namespace photonproof::inline harness_pixels

@@ -1,4 +1,4 @@
-// Which of the compiled loops this processor runs.
+// Chooses the compiled loops that this processor runs.
 
 #include <vector>
 

@@ -1,4 +1,4 @@
-// Which pixels a comparison counts: one bit a pixel.
+// The pixels that a comparison counts: one bit a pixel.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// Where the rows of an image come from: memory or a file, the whole or a part of it.
+// Reads the rows of an image from memory or a file, whole or in part.
 #pragma once
 
 #include <memory>
@@ -15,10 +15,10 @@ class RowSource {
   virtual ~RowSource() = default;
   virtual int width() const = 0;
   virtual int height() const = 0;
-  /// Rows [begin, end) as interleaved linear RGB. Quick for rows in ascending order; throws InputError when the file
-  /// cannot be read.
+  /// Reads rows [begin, end) as interleaved linear RGB. Quick for rows in ascending order. Throws InputError when the
+  /// file cannot be read.
   virtual void read(int begin, int end, float* rgb) = 0;
-  /// All rows, where they are in memory as they would be read; else null.
+  /// All rows, if they are in memory in the layout that `read` gives; else null.
   virtual const float* in_memory() const { return nullptr; }
 };
 
@@ -35,7 +35,7 @@ class ImageRowSource : public RowSource {
   const Image& image_;
 };
 
-/// Throws InputError as read_image does; an image of any size is never in memory as a whole.
+/// Throws InputError as read_image does. The image, of any size, is never in memory as a whole.
 class FileSource : public RowSource {
  public:
   explicit FileSource(const std::string& path, const std::string& layer = "", ImageWindow part = ImageWindow::displayed)
@@ -52,7 +52,7 @@ class FileSource : public RowSource {
 /// A part of another source, which must outlive it.
 class RegionSource : public RowSource {
  public:
-  /// Throws InputError, naming --region, when it is no part of the image.
+  /// Throws InputError, naming --region, when the region is no part of the image.
   RegionSource(RowSource& whole, const PixelRegion& region);
   int width() const override { return region_.width; }
   int height() const override { return region_.height; }

@@ -18,7 +18,7 @@ bool scatters(const MediumDescription& medium) {
 
 std::vector<std::string> estimators_for(const SceneDescription& scene) {
   if (std::any_of(scene.media.begin(), scene.media.end(), scatters)) return {"volpath"};
-  // Light that comes from all around is found by following directions, and from far away badly by following photons.
+  // Following directions finds light that comes from all around. Photons from far away find it badly.
   const bool only_surrounded = std::any_of(scene.emitters.begin(), scene.emitters.end(), surrounds) &&
                                std::all_of(scene.emitters.begin(), scene.emitters.end(), surrounds) &&
                                std::none_of(scene.shapes.begin(), scene.shapes.end(),

@@ -22,7 +22,7 @@ TEST(ReferenceEstimator, is_chosen_by_what_the_scene_holds) {
   EXPECT_EQ(chosen("cornell"), "path");             // diffuse
   EXPECT_EQ(chosen("many-lights"), "path");         // diffuse
   EXPECT_EQ(chosen("caustic-glass"), "bdpt");       // glass and a light
-  EXPECT_EQ(chosen("cornell-spheres"), "bdpt");     // a mirror, too
+  EXPECT_EQ(chosen("cornell-spheres"), "bdpt");     // and a mirror
   EXPECT_EQ(chosen("light-envmap"), "path");        // light from all around
   EXPECT_EQ(chosen("furnace-dielectric"), "bdpt");  // glass within a sphere that emits
   EXPECT_EQ(chosen("fog"), "volpath");              // a medium that scatters

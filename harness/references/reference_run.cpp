@@ -18,10 +18,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A batch that is killed, or out of time, loses this much.
+// A batch that is killed or out of time loses at most this much.
 constexpr double checkpoint_seconds = 20;
 constexpr int trial_batches = 4, trial_samples = 16;
-constexpr int first_trial_seed = -trial_batches;  // so that they are no batch's
+constexpr int first_trial_seed = -trial_batches;  // so that no batch has them
 
 using End = ReferenceProgress::End;
 
@@ -37,9 +37,9 @@ class Batches {
 
   struct Batch {
     Image image;
-    double squared_bias = 0;  ///< as its stats say
+    double squared_bias = 0;  ///< as in its stats
   };
-  /// Of one batch. Where there is none, `end` says why; the batch can then be resumed.
+  /// Renders one batch. Without an image `end` has the reason, and the batch can be resumed.
   std::optional<Batch> render(int batch, int samples, End& end) const {
     const fs::path image = file(batch, ".exr"), whole = file(batch, ".whole.exr");
     if (fs::exists(whole)) return finished(batch);
@@ -74,7 +74,7 @@ class Batches {
     if (!outcome.ok())
       throw InputError(run_.scene.front(), "batch " + std::to_string(batch) + " by " + run_.integrator + " " +
                                                outcome.sentence() + ": " + last_line(outcome.standard_error));
-    fs::rename(image, whole);  // an interrupted render leaves an image, too
+    fs::rename(image, whole);  // an interrupted render leaves an image too
     return finished(batch);
   }
 
@@ -105,9 +105,9 @@ class Batches {
   std::chrono::steady_clock::time_point begun_ = std::chrono::steady_clock::now();
 };
 
-/// The samples a batch needs for `least_batches` of them to reach the standard error, were its square as 1/samples; and
-/// where the estimator has a bias, for that to reach half of the squared error, as it falls with samples^(-1/3). Empty
-/// where a batch has no image.
+/// The samples per batch with which `least_batches` of them reach the standard error, whose square is proportional to
+/// 1/samples. If the estimator has a bias, its square, proportional to samples^(-1/3), must also fall to half of the
+/// squared error. Empty where a batch has no image.
 std::optional<int> samples_for(const ReferenceRun& run, const Batches& batches, End& end) {
   BatchMeans trial(run.width, run.height, trial_samples);
   for (int i = first_trial_seed; i < 0; ++i) {
@@ -146,7 +146,7 @@ ReferenceProgress run_reference(const ReferenceRun& run) {
     for (int i = first_trial_seed; i < 0; ++i) batches.remove(i);
   }
   BatchMeans means = BatchMeans::load(state);
-  if (means.batches() > 0) batches.remove(means.batches() - 1);  // counted, but killed before it was removed
+  if (means.batches() > 0) batches.remove(means.batches() - 1);  // counted, but the run was killed before removing it
   while (true) {
     const std::optional<double> error = error_of(means);
     if (run.progress) run.progress(means, error);

@@ -1,5 +1,5 @@
-// Renders batches of one scene by processes of the renderer until their mean is as certain as asked. What is finished
-// stays in a folder, where the next run goes on; a batch that was stopped goes on from its own checkpoint.
+// Renders batches of one scene by processes of the renderer until the mean has the requested standard error. Finished
+// batches stay in a folder, where the next run continues. A stopped batch continues from its own checkpoint.
 #pragma once
 
 #include <atomic>
@@ -15,21 +15,21 @@ namespace photonproof::inline harness_references {
 
 struct ReferenceRun {
   std::filesystem::path program;   ///< the renderer
-  std::vector<std::string> scene;  ///< its file, then the words that say how it is read (scene_arguments)
+  std::vector<std::string> scene;  ///< its file, then the options for reading it (scene_arguments)
   std::string size;                ///< "WxH" of the film
-  int width = 0, height = 0;       ///< of the images, which are the scene's crop if it has one
+  int width = 0, height = 0;       ///< of the images: the scene's crop if it has one
   std::string integrator;
   double standard_error = 0;      ///< to reach (relative_standard_error)
   std::optional<double> seconds;  ///< wall time after which the batch at work is stopped
   int threads = 0;
-  std::filesystem::path folder;  ///< exists; for this scene, size, integrator and program alone
+  std::filesystem::path folder;  ///< exists; used for this scene, size, integrator and program alone
   const std::atomic<bool>* interrupt = nullptr;
-  /// After every batch: how many there are, and their standard error (from two on).
+  /// Called after every batch with the batches so far and their standard error (from two on).
   std::function<void(const BatchMeans&, std::optional<double> standard_error)> progress;
 };
 
-/// Fewer do not say well enough how much they differ: with B batches a pixel's variance is itself uncertain by
-/// sqrt(2/(B - 1)), a quarter with 32.
+/// Least number of batches. With B batches a pixel's variance is itself uncertain by sqrt(2/(B - 1)), a quarter with
+/// 32.
 inline constexpr int least_batches = 32;
 
 struct ReferenceProgress {
@@ -38,12 +38,12 @@ struct ReferenceProgress {
   enum class End { reached, out_of_time, interrupted } end = End::reached;
 };
 
-/// How many samples a batch should have is found out from a few small ones, which are thrown away, and stays: it
-/// depends on the scene and the standard error first asked for, never on the machine. Throws InputError with the
-/// renderer's own words when it fails.
+/// The samples per batch come from a few small trial batches, which are thrown away, and then stay fixed. They depend
+/// on the scene and the standard error first asked for, never on the machine. Throws InputError with the renderer's own
+/// message when it fails.
 ReferenceProgress run_reference(const ReferenceRun& run);
 
-/// Of the batches' random numbers: far from the small numbers that people and suites choose, so that no image that is
+/// Seed of a batch's random numbers. It is far from the small numbers that people and suites choose, so no image
 /// compared with the reference shares a sample with it.
 std::uint64_t batch_seed(int batch);
 

@@ -21,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Whether the kernel took it; a stream would try again and again.
+// Whether the kernel accepted the value. A stream would retry again and again.
 bool write_setting(const fs::path& file, const std::string& value) {
   const int descriptor = open(file.c_str(), O_WRONLY | O_CLOEXEC);
   if (descriptor < 0) return false;
@@ -39,7 +39,7 @@ std::uint64_t counted(const fs::path& file, const std::string& key) {
   return 0;
 }
 
-// Our own group in the hierarchy of a controller, "" being version 2's; by lines "number:controllers:path".
+// This process's own group in a controller's hierarchy ("" is version 2's), from lines "number:controllers:path".
 std::string own_group(const ControlGroupTree& tree, const std::string& controller) {
   std::ifstream in(tree.own_groups);
   for (std::string line; std::getline(in, line);) {
@@ -60,7 +60,7 @@ std::string new_group_name() {
   return std::string(group_start) + std::to_string(getpid()) + "-" + std::to_string(made++);
 }
 
-// What processes that were killed left; a group that has processes stays by itself.
+// Removes groups that killed processes left; a group that still has processes stays.
 void remove_abandoned(const ControlGroupTree& tree, const fs::path& parent) {
   std::error_code failure;
   for (fs::directory_iterator entry(parent, failure), none; !failure && entry != none; entry.increment(failure)) {
@@ -72,7 +72,7 @@ void remove_abandoned(const ControlGroupTree& tree, const fs::path& parent) {
   }
 }
 
-// A new group below `group` or the nearest of those above it that takes one with all settings.
+// A new group below `group`, or below its nearest ancestor that accepts a group with all settings.
 template <class Settings>
 fs::path make_group(const ControlGroupTree& tree, const fs::path& root, const std::string& group,
                     std::vector<FolderHold>& holds, const Settings& settings) {

@@ -1,5 +1,5 @@
-// Control groups (cgroups(7)) for one contained command, of either version, where the system lets us make them: the
-// kernel then counts its memory and processes, instead of our samples and a limit that each process has for itself.
+// Control groups (cgroups(7)) of either version for one contained command, where the system allows them. The kernel
+// then counts its memory and processes. Otherwise there are samples, and a limit for each process alone.
 #pragma once
 
 #include <cstdint>
@@ -12,29 +12,29 @@
 
 namespace photonproof::inline harness_sandbox {
 
-/// Where the kernel shows them. Making and removing a group is more than making a folder: files come and go with it.
+/// The folder where the kernel shows the groups. Their files come and go with a group, so making one is more than
+/// making a folder.
 struct ControlGroupTree {
   std::filesystem::path root = "/sys/fs/cgroup";
   std::filesystem::path own_groups = "/proc/self/cgroup";  ///< lines "number:controllers:path"
   std::function<bool(const std::filesystem::path&)> make, remove;
 
-  ControlGroupTree();  ///< the system's
+  ControlGroupTree();  ///< the system's tree
 };
 
 class ControlGroups {
  public:
-  /// Below the caller's own groups, or above them where only there children are allowed; none where nothing can be
-  /// made.
+  /// Makes groups below the caller's own, or above them if only those allow children; no group if none can be made.
   ControlGroups(std::uint64_t memory_bytes, int processes, ControlGroupTree tree = {});
   ~ControlGroups();  ///< the command must have ended
   ControlGroups(const ControlGroups&) = delete;
   ControlGroups& operator=(const ControlGroups&) = delete;
 
-  /// A process that writes "0" to `cgroup.procs` in each is limited, and all that descend from it.
+  /// A process that writes "0" to `cgroup.procs` in each is limited, and so are all its descendants.
   const std::vector<std::filesystem::path>& folders() const { return folders_; }
   bool counts_memory() const { return !memory_.empty(); }
   bool counts_processes() const { return !processes_.empty(); }
-  /// Whether the kernel has killed for memory, or refused another process.
+  /// Whether the kernel has killed a process for memory, or refused a new one.
   bool memory_ran_out() const;
   bool processes_ran_out() const;
 

@@ -1,7 +1,6 @@
 // Control groups of both versions, in a tree that a test keeps as the kernel does (cgroups(7),
-// Documentation/admin-guide/ cgroup-v2.rst): a group has a controller's files only if its parent lends the controller,
-// and files come and go with their group. A test machine has one version or the other, seldom with leave to make
-// groups.
+// Documentation/admin-guide/ cgroup-v2.rst). A group has a controller's files only if its parent lends the controller,
+// and files come and go with their group. A test machine has one version or the other, and it seldom allows new groups.
 #include "harness/sandbox/control_groups.h"
 
 #include <gmock/gmock.h>
@@ -64,7 +63,7 @@ class ControlGroupsTest : public FolderTest {
     return fs::remove_all(group) > 0;
   }
 
-  /// Groups that are there and that the harness has made.
+  /// Groups that exist and that the harness has made.
   std::vector<std::string> made() const {
     std::vector<std::string> found;
     for (const fs::directory_entry& entry : fs::recursive_directory_iterator(root()))
@@ -74,7 +73,7 @@ class ControlGroupsTest : public FolderTest {
   }
 
   ControlGroupTree tree_;
-  std::set<fs::path> refused_;  ///< in which the user may make nothing
+  std::set<fs::path> refused_;  ///< the user may make nothing in these
 };
 
 TEST_F(ControlGroupsTest, of_version_two_are_made_above_the_graders_own_which_has_processes_and_lends_nothing) {
@@ -134,7 +133,7 @@ TEST_F(ControlGroupsTest, of_version_two_say_what_ran_out) {
   const ControlGroups groups(gibibyte, 10, tree_);
   ASSERT_EQ(groups.folders().size(), 1U);
   const std::string group = groups.folders()[0].lexically_relative(folder_);
-  // Its limit was met, and memory taken back from its caches, which is no harm.
+  // The limit was met and memory taken back from caches, which does no harm.
   put(group + "/memory.events", "low 0\nhigh 0\nmax 7\noom 0\noom_kill 0\noom_group_kill 0\n");
   put(group + "/pids.events", "max 0\n");
   EXPECT_FALSE(groups.memory_ran_out());

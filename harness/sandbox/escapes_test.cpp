@@ -1,6 +1,6 @@
-// The escape suite: programs that try to get out of the sandbox, one test each (test_escapes.h), told more of the
-// grader than anybody knows. The same attempts without a sandbox succeed where that does no harm, which shows that the
-// tests would see it.
+// The escape suite: programs that try to get out of the sandbox, one test each (test_escapes.h). They know more of the
+// grader than any real attacker. Harmless attempts must succeed without a sandbox, which shows that the tests detect
+// them.
 #include <arpa/inet.h>
 #include <fcntl.h>
 #include <mqueue.h>
@@ -28,13 +28,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// What happens to the attempt without a sandbox.
+// Outcome of the attempt without a sandbox.
 enum class Without { untried, succeeds, succeeds_for_root };
 using enum Without;
 struct Row {
   const char* name;
   Without without = untried;
-  bool ends = true;  // by itself, having tried all
+  bool ends = true;  // by itself, after its last try
 };
 void PrintTo(const Row& row, std::ostream* out) { *out << row.name; }
 
@@ -137,7 +137,7 @@ bool is_running(const std::string& marker) {
   return false;
 }
 
-// A grader that may be killed, a folder with a secret, and ears on every kind of socket.
+// A grader that may be killed, a folder with a secret, and listeners on every kind of socket.
 class Escapes : public testing::TestWithParam<Row> {
  protected:
   void SetUp() override {
@@ -185,7 +185,7 @@ class Escapes : public testing::TestWithParam<Row> {
     return false;
   }
   bool grader_lives() const { return waitpid(target_.grader, nullptr, WNOHANG) == 0; }
-  // What uncontained attempts leave in the system.
+  // Removes what uncontained attempts leave in the system.
   void tidy_up() const {
     const auto key = static_cast<key_t>(std::hash<std::string>{}(marker_)&0x7fffffff);
     shm_unlink(("/" + marker_).c_str());
@@ -246,14 +246,15 @@ class Escapes : public testing::TestWithParam<Row> {
 };
 
 TEST_P(Escapes, fail) {
-  // Twice: what the first run leaves, the second must not meet.
+  // Runs twice: the second run must not find anything that the first one left.
   const Row& row = GetParam();
   const int inherited = open(path("secret").c_str(), O_RDONLY);
   for (int run = 0; run < (row.ends ? 2 : 1); ++run) {
     const SandboxOutcome outcome = attempt(true);
-    const std::string said = outcome.process.standard_output.substr(0, 1000);
+    const std::string message = outcome.process.standard_output.substr(0, 1000);
     EXPECT_THAT(outcome.process.standard_output, testing::Not(testing::HasSubstr("ESCAPED")));
-    EXPECT_TRUE(!row.ends || said.find("tried") != said.npos) << outcome.sentence() << outcome.process.standard_error;
+    EXPECT_TRUE(!row.ends || message.find("tried") != message.npos)
+        << outcome.sentence() << outcome.process.standard_error;
     EXPECT_NE(outcome.process.end, ProcessOutcome::End::not_started) << outcome.sentence();
   }
   close(inherited);

@@ -21,9 +21,9 @@ namespace {
 namespace fs = std::filesystem;
 using End = ProcessOutcome::End;
 
-constexpr int shell_adds_to_signals = 128;  // bwrap, too: in the exit code of a command that a signal ended
+constexpr int shell_adds_to_signals = 128;  // in exit codes of commands that a signal ended, also by bwrap
 
-// What the script left (sandbox_command.cpp).
+// Values that the script left (sandbox_command.cpp).
 struct ScriptStatus {
   std::string stage, kind;
   bool ended = false, collected = false, too_large = false;
@@ -60,7 +60,7 @@ std::string first_line_of(const fs::path& file) {
   return line;
 }
 
-// The command's end in place of that of the script around it.
+// Replaces the script's end by that of the command in it.
 void set_end(ProcessOutcome& process, const ScriptStatus& status) {
   if (process.end != End::exited) return;
   if (status.ended) {
@@ -97,7 +97,7 @@ SandboxOutcome run_in(const std::vector<std::string>& argv, const SandboxOptions
   const bool contained = containment != Containment::none;
   const SandboxLimits& limits = options.limits;
   const ScratchFolder scratch("sandbox");
-  // Files in memory are the group's too.
+  // Files in memory count as the group's too.
   const ControlGroups groups(limits.memory_bytes + (contained ? limits.disk_bytes : 0), limits.processes + 4);
   const SandboxJob job{scratch.path(), containment, options, groups};
   prepare_folder(job);
@@ -141,13 +141,13 @@ Containable find_out() {
   for (const Containment way : ways) {
     const SandboxOutcome outcome = run_in({"true"}, options, way);
     if (outcome.ok()) return {way, {}};
-    const std::string said = last_line(outcome.process.standard_error);
-    found.why_not = said.empty() ? outcome.sentence() : said;
+    const std::string message = last_line(outcome.process.standard_error);
+    found.why_not = message.empty() ? outcome.sentence() : message;
   }
   return found;
 }
 
-// Asked once: the system does not change its mind, and an answer costs some 30 ms.
+// Tested once, since the answer does not change and a test costs some 30 ms.
 const Containable& containable() {
   static const Containable found = find_out();
   return found;

@@ -18,10 +18,10 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* system_path = "/usr/local/bin:/usr/bin:/bin";
-// Nobody's: systemd gives these numbers to services that live as briefly, and Debian to nobody.
+// Uids without a user: systemd gives these numbers to short-lived services, and Debian reserves them for no account.
 constexpr int first_own_uid = 61184, own_uids = 4000;
-constexpr int uid_inside = 1000;  // where it is only a name for ours
-// Of a file in memory beside its contents; the kernel counts it nowhere else.
+constexpr int uid_inside = 1000;  // only a name for our own uid
+// Memory that a file takes besides its contents; the kernel does not count it elsewhere.
 constexpr std::uint64_t bytes_a_file = 4096;
 constexpr std::uint64_t least_files = 1024;
 
@@ -34,7 +34,7 @@ int own_uid() {
   return first_own_uid + (static_cast<int>(getpid()) * 7 + taken++) % own_uids;
 }
 
-// bwrap makes what leads to a mount for its own user alone.
+// bwrap makes the parent folders of a mount accessible to its own user alone.
 void make_parents(std::vector<std::string>& bwrap, const fs::path& inside) {
   for (const fs::path& parent : {inside.parent_path().parent_path(), inside.parent_path()})
     if (parent.has_relative_path()) append(bwrap, {"--perms", "0755", "--dir", parent.string()});
@@ -53,7 +53,7 @@ void show_system(std::vector<std::string>& bwrap) {
   make_parents(bwrap, "/etc/passwd");
   for (const char* path : {"/etc/ld.so.cache", "/etc/ld.so.conf", "/etc/ld.so.conf.d", "/etc/alternatives"})
     append(bwrap, {"--ro-bind-try", path, path});
-  // What interpreters keep outside of /usr by Debian's policy.
+  // Folders outside of /usr that interpreters use by Debian's policy.
   std::error_code ignored;
   for (const fs::directory_entry& entry : fs::directory_iterator("/etc", ignored)) {
     const std::string name = entry.path().filename().string();
@@ -78,7 +78,7 @@ std::vector<std::string> bwrap_command(const SandboxJob& job, int uid) {
                                  "--cap-drop",
                                  "ALL"};
   if (job.containment == Containment::by_root)
-    append(bwrap, {"--cap-add", "CAP_SETUID", "--cap-add", "CAP_SETGID"});  // gone when setpriv has used them
+    append(bwrap, {"--cap-add", "CAP_SETUID", "--cap-add", "CAP_SETGID"});  // dropped after setpriv has used them
   else
     append(bwrap, {"--unshare-user", "--uid", std::to_string(uid), "--gid", std::to_string(uid)});
   show_system(bwrap);
@@ -92,7 +92,7 @@ std::vector<std::string> bwrap_command(const SandboxJob& job, int uid) {
   make_parents(bwrap, options.working_folder);
   append(bwrap, {"--bind", ours("disk/shm"), "/dev/shm", "--bind", ours("disk/tmp"), "/tmp"});
   append(bwrap, {"--bind", ours("disk/work"), work, "--chdir", work});
-  // The two of bwrap's own have no size.
+  // bwrap's own two file systems have no size limit, so they become read-only.
   append(bwrap, {"--remount-ro", "/dev", "--remount-ro", "/"});
   append(bwrap, {"--clearenv", "--setenv", "PATH", system_path, "--setenv", "HOME", "/tmp", "--setenv", "TMPDIR",
                  "/tmp", "--setenv", "LANG", "C.UTF-8"});
@@ -104,16 +104,16 @@ std::vector<std::string> bwrap_command(const SandboxJob& job, int uid) {
 
 std::string rounded_up(double seconds) { return std::to_string(static_cast<long>(std::ceil(seconds))); }
 
-// The limits that a process has for itself and hands on; none can be raised again.
+// Limits that a process has for itself and its children inherit; none can be raised again.
 void limit_resources(std::vector<std::string>& command, const SandboxJob& job) {
   const SandboxLimits& limits = job.options.limits;
   // A core limit of 1 also keeps the system's handler of dumps from being started, which 0 does not (core(5)).
   append(command, {"prlimit", "--core=1", "--fsize=" + std::to_string(limits.file_bytes), "--nofile=1024",
                    "--memlock=65536", "--rtprio=0", "--nice=0"});
-  if (limits.cpu_seconds > 0)  // the soft limit's signal says which one it was
+  if (limits.cpu_seconds > 0)  // the soft limit's signal identifies it
     command.push_back("--cpu=" + rounded_up(limits.cpu_seconds) + ":" + rounded_up(limits.cpu_seconds + 1));
-  // The uid's processes, those of other sandboxes too that happen to have it; a group counts better. Outside of a
-  // sandbox all of our user's would count.
+  // The limit counts all processes of the uid, including those of other sandboxes with the same uid; a group counts
+  // better. Outside of a sandbox it would count all of our user's processes.
   if (job.containment != Containment::none && !job.groups.counts_processes())
     command.push_back("--nproc=" + std::to_string(limits.processes));
   command.emplace_back("--");

@@ -1,5 +1,5 @@
-// The command lines around a contained command: a script of ours in a mount namespace of its own makes the file system
-// in memory, copies in, runs bwrap with the command, and copies out when the command's process namespace is gone.
+// Builds the command line around a contained command. A script in a mount namespace of its own makes the file system in
+// memory, copies in, and runs bwrap with the command. It copies out when the command's process namespace is gone.
 #pragma once
 
 #include <filesystem>
@@ -11,14 +11,14 @@
 
 namespace photonproof::inline harness_sandbox {
 
-/// How a command is kept apart.
+/// Method of isolation for a command.
 enum class Containment {
-  none,           ///< limits alone
-  by_root,        ///< we are root: the command gets a uid that nobody has
-  in_user_space,  ///< we are not: a user namespace
+  none,           ///< only limits
+  by_root,        ///< we are root: the command gets a uid without a user
+  in_user_space,  ///< we are not root: a user namespace
 };
 
-/// What the script is told, and leaves, in a folder of the caller's: `status` with lines "key value", `errors`.
+/// Input of the script, and its results in a folder of the caller's: `status` with lines "key value", `errors`.
 struct SandboxJob {
   std::filesystem::path folder;
   Containment containment;

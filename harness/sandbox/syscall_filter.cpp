@@ -58,7 +58,7 @@ class Filter {
   void end_if_at_least(std::uint32_t value, std::uint32_t verdict) { end_if(BPF_JGE, value, verdict); }
   void end_if_any(std::uint32_t bits, std::uint32_t verdict) { end_if(BPF_JSET, bits, verdict); }
   void if_equal_skip(std::uint32_t value, std::uint8_t count) { add(BPF_JMP | BPF_JEQ | BPF_K, value, count, 0); }
-  // The next `count` instructions are for this call alone.
+  // Applies the next `count` instructions to this call alone.
   void unless_equal_skip(std::uint32_t value, std::uint8_t count) { add(BPF_JMP | BPF_JEQ | BPF_K, value, 0, count); }
   std::string bytes() const {
     return {reinterpret_cast<const char*>(program_.data()), program_.size() * sizeof(sock_filter)};
@@ -77,7 +77,7 @@ class Filter {
 
 constexpr std::uint32_t error(int code) { return SECCOMP_RET_ERRNO | static_cast<std::uint32_t>(code); }
 
-// The lower half of an argument, which is all that the kernel looks at in those that are asked for here.
+// The lower half of an argument; the kernel reads no more of the arguments tested here.
 constexpr std::size_t argument(std::size_t index) {
   return offsetof(seccomp_data, args) + index * sizeof(std::uint64_t);
 }
@@ -108,7 +108,7 @@ std::string syscall_filter(bool memory_is_counted) {
   if (!memory_is_counted)
     for (const long call : {SYS_memfd_create, SYS_shmget})
       filter.end_if_equal(static_cast<std::uint32_t>(call), error(EPERM));
-  // Its flags are in memory, where no filter sees them; without it the C library calls clone.
+  // The flags of clone3 are in memory, where no filter sees them. Without clone3 the C library calls clone.
   filter.end_if_equal(SYS_clone3, error(ENOSYS));
   refuse_by_argument(filter, SYS_clone, 0, {new_namespaces}, true, error(EPERM));
   refuse_by_argument(filter, SYS_unshare, 0, {new_namespaces}, true, error(EPERM));

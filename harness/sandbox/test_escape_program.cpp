@@ -1,5 +1,5 @@
-// The program that escapes_test.cpp runs contained: NAME FOLDER GRADER PORT ABSTRACT ADDRESS MARKER; and, without
-// arguments, the grader that it is told of: says where its memory holds the token, and waits.
+// The program that escapes_test.cpp runs contained: NAME FOLDER GRADER PORT ABSTRACT ADDRESS MARKER. Without arguments
+// it is the grader under attack: it prints the address of the token in its memory, and waits.
 #include <unistd.h>
 
 #include <cstdlib>

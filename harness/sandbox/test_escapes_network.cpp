@@ -1,4 +1,4 @@
-// Sockets: whatever leaves the sandbox is heard by the grader, who listens.
+// Sockets: the grader listens for anything that leaves the sandbox.
 #include <arpa/inet.h>
 #include <linux/netlink.h>
 #include <linux/rtnetlink.h>
@@ -41,7 +41,7 @@ sockaddr_in ipv4(int port) {
 void ask_name_server(const Target&) {
   addrinfo* found = nullptr;
   escaped_if(getaddrinfo("deb.debian.org", "80", nullptr, &found) == 0, "a name was resolved");
-  // Without a route nothing leaves; with one, connecting a datagram socket shows it, and nothing is sent.
+  // Without a route nothing leaves. With one, connecting a datagram socket already shows it, without sending.
   sockaddr_in server{};
   server.sin_family = AF_INET;
   server.sin_port = htons(53);
@@ -90,7 +90,7 @@ constexpr Attempt rows[] = {
     {"list_network_interfaces", list_interfaces},
     {"open_sockets_of_other_families",
      [](const Target&) {
-       // AF_VSOCK, to the machine that this one is a guest of, knows no network namespaces; AF_ALG, AF_PACKET
+       // AF_VSOCK reaches this guest's host and ignores network namespaces; AF_ALG, AF_PACKET
        for (const int family : {40, 38, 17})
          escaped_if(socket(family, SOCK_STREAM, 0) >= 0 || socket(family, SOCK_SEQPACKET, 0) >= 0 ||
                         socket(family, SOCK_RAW, 0) >= 0,

@@ -18,7 +18,7 @@ namespace {
 
 std::string proc_of(const Target& t, const char* file) { return "/proc/" + std::to_string(t.grader) + "/" + file; }
 
-// Sleeps with the marker in its command line, which is how it is found outside.
+// Sleeps with the marker in its command line, by which the test finds it outside.
 [[noreturn]] void live_on(const Target& t) {
   for (int signal_number = 1; signal_number < 32; ++signal_number) signal(signal_number, SIG_IGN);
   execl("/bin/sh", "sh", "-c", "trap '' HUP INT TERM; sleep 60; sleep 60", t.marker.c_str(), nullptr);
@@ -36,7 +36,7 @@ void leave_daemon(const Target& t) {
   _exit(0);
 }
 
-// Each copy is another process by the time somebody looks.
+// Each copy is another process by the time anyone looks for it.
 void leave_a_process_that_always_forks(const Target& t) {
   if (fork() != 0) {
     usleep(50'000);

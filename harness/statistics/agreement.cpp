@@ -26,7 +26,7 @@ constexpr const char* kChannels[] = {"R", "G", "B"};
 struct Differences {
   int width, height;
   std::vector<double> difference, variance;
-  std::vector<double> shared{};  ///< what a pixel adds to the variance of a sum: more where splats span pixels
+  std::vector<double> shared{};  ///< The pixel's part of the variance of a sum: more where splats span pixels.
 
   std::size_t index(int x, int y) const {
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
@@ -108,9 +108,10 @@ StatisticalVerdict test_all_pixels(const std::array<Differences, 3>& channels, c
   return verdict;
 }
 
-/// Takes from the blocks what all pixels of `rendering` are high or low by together, in proportion to their deviations:
-/// the amount that leaves least, a weighed mean. What chance makes of it is for the test of the whole image to say.
-/// What is left varies by (1 - c) of the variances, and is held to all of them, for c is an estimate, too.
+/// Subtracts from the blocks the deviation that all pixels of `rendering` have in common, in proportion to their
+/// standard deviations. The amount is the weighted least-squares fit. The test of the whole image judges this common
+/// part. The rest varies by (1 - c) of the variances; it is tested against the full variances because c is an estimate,
+/// too.
 void take_out_what_is_common(const Rendering& rendering, std::size_t channel, const std::vector<Block>& places,
                              std::vector<Deviation>& blocks) {
   if (correlation_of_pixels(rendering, channel) == 0) return;
@@ -160,9 +161,9 @@ StatisticalVerdict test_blocks(const std::array<Differences, 3>& channels, const
   return verdict;
 }
 
-/// The relative error d that is found with probability `power` by a test of this two-sided level: it exceeds both
-/// quantiles, d r = q sqrt(v_r + (1 + d)^2 v_x), for the noise of an image that is brighter is larger, too. Infinite
-/// where none is found so often. Precondition: there is a reference. `difference` is of the two.
+/// The minimum relative error d that a two-sided test of level `alpha` finds with probability `power`. It exceeds both
+/// quantiles, d r = q sqrt(v_r + (1 + d)^2 v_x), because a brighter image also has more noise. Infinite where the test
+/// finds no error that often. Preconditions: the reference is not 0; `difference` is of the two images.
 double least_seen(const Deviation& difference, const KnownVariance& of_test, double alpha, double power) {
   const double q = difference.margin(alpha / 2) + difference.margin(1 - power);
   const double reference = std::pow(difference.expected, 2), variance = std::pow(difference.standard_error, 2);
@@ -172,7 +173,7 @@ double least_seen(const Deviation& difference, const KnownVariance& of_test, dou
 
 constexpr const char* not_judged = "not judged: pixels of an image share noise";
 
-/// The plain mean of a channel, whose variance the image says itself where pixels share noise; empty where it does not.
+/// The plain mean of a channel. Where pixels share noise its variance is the one that the image states; else empty.
 std::optional<ChannelMean> plain_mean(const Rendering& rendering, std::size_t channel, bool shares_noise) {
   const auto pixels = static_cast<double>(rendering.mean.pixels());
   ChannelMean mean;
@@ -191,7 +192,7 @@ std::optional<ChannelMean> plain_mean(const Rendering& rendering, std::size_t ch
   return mean;
 }
 
-/// The passes that the images' variances come from, less one; infinite where none says.
+/// The passes behind the images' variances, less one; infinite where no image states them.
 double freedom_of_passes(const Rendering& reference, const Rendering& test) {
   double freedom = INFINITY;
   for (const Rendering* rendering : {&reference, &test})
@@ -199,7 +200,7 @@ double freedom_of_passes(const Rendering& reference, const Rendering& test) {
   return freedom;
 }
 
-/// Also says what it would have seen.
+/// Sets `seen` to the minimum detectable error.
 template <class MeansOf>
 StatisticalVerdict test_whole(const MeansOf& means_of, double alpha, std::optional<double>& seen) {
   StatisticalVerdict verdict;

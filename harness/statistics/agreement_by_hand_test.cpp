@@ -27,14 +27,14 @@ Rendering image_of(int size, const Value& mean, const Value& variance) {
 Value all(double value) {
   return [value](int, int) { return value; };
 }
-/// `value` in one pixel of the middle, `elsewhere` in the others.
+/// `value` in one pixel near the middle, `elsewhere` in the others.
 Value one_pixel(double value, double elsewhere) {
   return [=](int x, int y) { return x == 4 && y == 4 ? value : elsewhere; };
 }
 
-// Variances of .8, 1 and 1.2 in a block: their median is 1, their median absolute deviation .2. The excess kurtosis is
-// (1.4826 .2)^2, and the Gamma distribution's shape 6 / 0.0879246 = 68.24. Its tail beyond 6 deviations is that
-// of 4.9994 normal ones (scipy.stats.gamma.sf, 1.15), beyond 5 that of 4.2827. Twice the shape: 5.2286 and 4.4523.
+// A block's variances of .8, 1 and 1.2 have the median 1 and the median absolute deviation .2. The excess kurtosis is
+// (1.4826 .2)^2, and the Gamma distribution's shape 6 / 0.0879246 = 68.24. Its tail beyond 6 deviations is that of
+// 4.9994 normal ones (scipy.stats.gamma.sf, 1.15), beyond 5 that of 4.2827. With twice the shape: 5.2286 and 4.4523.
 TEST(agreement_by_hand, a_pixels_tail_is_as_heavy_as_the_variances_of_its_block_differ) {
   const auto variance = [](int x, int y) { return x == 4 && y == 4 ? 1.0 : 0.8 + 0.2 * ((x + y) % 3); };
   for (const auto& [deviations, normal] : {std::pair{5.0, 4.2827}, std::pair{6.0, 4.9994}}) {
@@ -59,8 +59,8 @@ TEST(agreement_by_hand, a_pixel_of_few_passes_is_known_as_well_as_the_image_of_f
 }
 
 // All pixels vary together: the mean over the image has the deviation of one pixel. Two images of 12 passes each have
-// 22 degrees of freedom, whose quantile at the level of one channel, 0.00111608, is 3.7468 deviations; the normal
-// distribution's is 3.2595.
+// 22 degrees of freedom. The level of one channel is 0.00111608: its quantile is 3.7468 deviations, the normal
+// distribution's 3.2595.
 TEST(agreement_by_hand, a_mean_of_pixels_that_vary_together_has_the_deviation_of_one_and_the_freedom_of_its_passes) {
   const auto together = [](double mean, double passes) {
     Rendering image = image_of(16, all(mean), all(1e-4));
@@ -77,7 +77,7 @@ TEST(agreement_by_hand, a_mean_of_pixels_that_vary_together_has_the_deviation_of
   EXPECT_FALSE(passes(3.30, 1e9));
 }
 
-// A reference of independent pixels beside an image of shared photons whose own error is nothing: the mean over 256
+// A reference of independent pixels, and an image of shared photons without an error of its own. The mean over 256
 // pixels has 1/16 of a pixel's deviation. The quantile is the normal distribution's, 3.2595.
 TEST(agreement_by_hand, a_plain_mean_of_independent_pixels_has_their_variance_over_their_number) {
   const Rendering reference = image_of(16, all(1), all(0.01));
@@ -106,8 +106,8 @@ TEST(agreement_by_hand, a_block_whose_noise_is_one_pixels_has_two_degrees_of_fre
   EXPECT_NEAR(result.blocks.observed, 14.468, 0.05);
 }
 
-// 25 blocks: the pixels of the middle one have the variance 1, all others 1e-6. A place beside the noisy one may have
-// missed such noise itself. It counts with a fifth of the variance around it, .2 / 9; a far place with its own. An
+// 25 blocks: the pixels of the middle one have the variance 1, all others 1e-6. A block beside the noisy one may have
+// missed such noise. It therefore counts with a fifth of the variance around it, .2 / 9; a far block with its own. An
 // error of three deviations of a pixel then is 64e6 .003 / sqrt(16 64 1e6) = 6 of the mean in a far block. Beside the
 // noise it is 64 45 .003 / sqrt(16 64 1e6) = 3e-4.
 TEST(agreement_by_hand, a_quiet_place_beside_a_noisy_one_counts_little) {
@@ -120,8 +120,8 @@ TEST(agreement_by_hand, a_quiet_place_beside_a_noisy_one_counts_little) {
   EXPECT_LT(off_in(1, 2), 0.01);
 }
 
-// Splats as wide as four pixels in either image: a block's mean varies by four times its pixels' variances over their
-// number. 4 blocks of 2 deviations each have chi^2 = 16.
+// Splats span four pixels in either image. A block's mean then varies by four times its pixels' variances over their
+// number. The sum over 4 blocks of 2 deviations each is chi^2 = 16.
 TEST(agreement_by_hand, blocks_vary_by_as_many_pixels_as_a_splat_spans) {
   constexpr double variance = 1e-4;
   const double block_deviation = 2 * std::sqrt(4 * variance / 64);

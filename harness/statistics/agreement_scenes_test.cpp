@@ -1,5 +1,5 @@
-// Estimators that share no sampling path must show the same image: path, light and bidirectional tracing of library
-// scenes, by the program itself, held to `agreement`.
+// Estimators that share no sampling path must show the same image. The program renders library scenes by path, light
+// and bidirectional tracing, and `agreement` compares the images.
 
 #include <gtest/gtest.h>
 
@@ -15,9 +15,9 @@
 namespace photonproof::inline harness_statistics {
 namespace {
 
-/// Relative, of the whole image, with probability 0.99: an estimator whose image is off by more than this from the one
-/// that it agrees with most surely does not pass. (Two noisy ones say less of each other.) The second one holds for
-/// scenes in which paths find light by luck: 2 % would take minutes there.
+/// Minimum detectable relative error of the whole image, with probability 0.99. An estimator that is off by more from
+/// the one it agrees with almost surely fails. Two noisy ones test each other less sharply. The second value is for
+/// scenes in which paths find light by chance: 2 % would take minutes there.
 constexpr double largest_unseen = 0.02, largest_unseen_of_noisy = 0.03;
 
 struct Estimator {
@@ -28,7 +28,7 @@ struct Estimator {
 struct Case {
   const char* scene;
   std::vector<Estimator> estimators;
-  const char* definition = nullptr;  ///< of the scene's variable
+  const char* definition = nullptr;  ///< Definition of the scene's variable.
   double unseen = largest_unseen;
 };
 void PrintTo(const Case& c, std::ostream* out) { *out << c.scene; }
@@ -89,17 +89,17 @@ Case noisy(const char* scene, std::vector<Estimator> estimators) {
 }
 std::vector<Estimator> media(int volpath, int bdpt) { return {{"volpath", volpath}, {"bdpt", bdpt}}; }
 
-// Light paths alone show no scene where the camera sees mirrors, glass, clear coats or holes, through which none can be
-// connected, and need too many samples where lights cover slivers of pixels (many-lights), the view is a speck of the
-// scene (parallel-planes) or light comes round corners (corridor). Light from a direction or a point that comes
-// through glass is found by them alone (ball-lens, water-caustic).
+// Light tracing renders no scene where the camera sees mirrors, glass, clear coats or holes: no light path connects to
+// the camera through them. It needs too many samples in three scenes: lights cover slivers of pixels (many-lights), the
+// view is a speck of the scene (parallel-planes), light comes round corners (corridor). Only light tracing finds light
+// from a direction or a point that comes through glass (ball-lens, water-caustic).
 //
-// Samples are as many as that error takes, shared between the two so that the time is least: of estimators that take
-// c_i for a squared error of 1, in the ratio of sqrt(c_i).
+// The samples reach that error, shared between the two estimators for the least time. Estimators that take c_i for a
+// squared error of 1 share in the ratio of sqrt(c_i).
 //
-// In daylight camera paths find the sun in the lacquered ball by luck alone: the light that it throws on the ground, .3
-// to 1 % of the image's by channel, comes as one sample in ten million, 75,000 times as bright as the others. No number
-// of paths that a test can wait for knows that light, and most images that miss it look certain. So the sun is 5
+// In `daylight` camera paths find the sun in the lacquered ball only by chance. The light that the ball reflects to the
+// ground is .3 to 1 % of the image's by channel. It comes as one sample in ten million, 75,000 times as bright as the
+// others. No test can afford enough paths to estimate it, and most images that miss it look certain. So the sun is 5
 // degrees wide there, of the same irradiance, and found 87 times as often.
 INSTANTIATE_TEST_SUITE_P(
     library, AgreementScene,

@@ -1,4 +1,4 @@
-// Agreement must pass images of one expectation and fail others: measured over many pairs of noise whose law is known.
+// Agreement must pass images of equal expectation and fail others. Many pairs of noise with a known law measure this.
 #include "harness/statistics/agreement.h"
 
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ namespace {
 using Generator = std::mt19937_64;
 /// One sample of a pixel whose expectation is 1, in units of it; the channels are the same.
 using Noise = std::function<double(Generator&)>;
-/// What a pixel should show.
+/// The expected value of a pixel.
 using Scene = std::function<double(int x, int y)>;
 
 double no_noise(Generator&) { return 1; }
@@ -50,7 +50,7 @@ Rendering render(int size, int estimates, const Scene& scene, const Noise& noise
   return image;
 }
 
-/// A disc brighter than what is around it, and a gradient over both.
+/// A disc brighter than its surroundings, and a gradient over both.
 double picture(int x, int y) { return (std::hypot(x - 12, y - 14) < 7 ? 2.0 : 0.5) * (1 + 0.02 * x); }
 
 struct Failures {
@@ -64,8 +64,8 @@ struct Failures {
 };
 constexpr int kPairs = 300;
 
-/// At alpha = 0.01 the number of false alarms in 300 pairs is binomial with mean 3 at most, 10 or more have probability
-/// 0.001; of each of the three tests, at 0.00334, it has mean 1, and 6 or more have probability 0.0006.
+/// At alpha = 0.01 the false alarms in 300 pairs are binomial with mean 3 at most; 10 or more have probability 0.001.
+/// For each of the three tests, at 0.00334, the mean is 1; 6 or more have probability 0.0006.
 void expect_level(const Failures& failures, const char* name, int estimates) {
   std::printf("%d estimates, %s: %d, %d and %d false alarms, %d in all, of %d\n", estimates, name, failures.pixels,
               failures.blocks, failures.whole, failures.any, kPairs);
@@ -103,20 +103,20 @@ TEST(agreement, holds_its_level_whatever_the_noise) {
 }
 
 TEST(agreement, holds_its_level_where_one_image_may_miss_what_the_other_knows_exactly) {
-  // 64 estimates a pixel meet 0.32 fireflies, 20 a block: most pixels saw none and look certain of half the light.
+  // 64 estimates a pixel meet 0.32 fireflies, 20 a block: most pixels meet none and look certain of half the light.
   expect_level(failures_of_equal_pairs(64, fireflies, no_noise), "fireflies and exact", 64);
 }
 
-/// All of the image `factor` times as bright.
+/// Multiplies all of the image by `factor`.
 void scale(Rendering& image, double factor) {
   for (float& value : image.mean.rgb) value = static_cast<float>(factor * double{value});
   for (float& value : image.variance->rgb) value = static_cast<float>(factor * factor * double{value});
 }
 
 TEST(agreement, finds_an_error_as_large_as_it_says_it_would_have_seen) {
-  // The promise is 0.99, in either direction. Of 200 pairs 194 and fewer would be seen with probability 0.016 if it
-  // were true; a claim of nine tenths of the true size is seen with probability 0.961 and 188 and fewer are then as
-  // likely.
+  // The promised probability is 0.99, in either direction. If it holds, 194 or fewer of 200 pairs are found with
+  // probability 0.016. An error of nine tenths of the true size is found with probability 0.961; then 188 or fewer are
+  // equally likely.
   struct Case {
     const char* name;
     Noise a, b;
@@ -146,7 +146,7 @@ TEST(agreement, finds_an_error_as_large_as_it_says_it_would_have_seen) {
   }
 }
 
-/// An image of which all pixels vary together: 32 passes, each with a factor of its own.
+/// An image whose pixels all vary together: 32 passes, each with its own factor.
 Rendering shared_passes(int size, double deviation, std::uint64_t seed) {
   Generator g(seed);
   constexpr int passes = 32;
@@ -174,8 +174,8 @@ Rendering shared_passes(int size, double deviation, std::uint64_t seed) {
 }
 
 TEST(agreement, takes_an_images_word_for_how_pixels_vary_together) {
-  // By the pixels alone, 24 times too certain, nearly every pair would be an alarm. With Student's quantiles for twice
-  // 31 degrees of freedom its level and its power are exact: limits as above.
+  // The pixels alone state a standard error 24 times too small, and nearly every pair would be an alarm. With Student's
+  // quantiles for twice 31 degrees of freedom its level and its power are exact: limits as above.
   int alarms = 0, found = 0, without = 0;
   constexpr int pairs = 1000;
   for (std::uint64_t pair = 0; pair < pairs; ++pair) {
@@ -183,7 +183,7 @@ TEST(agreement, takes_an_images_word_for_how_pixels_vary_together) {
     Rendering test = shared_passes(24, 0.1, 2 * pair + 2);
     const Agreement result = test_agreement(reference, test);
     alarms += result.whole.pass ? 0 : 1;
-    // sqrt(2/32) 0.1 = 2.5 % of the mean, times the quantiles 3.419 and 2.388, more for what is brighter: 15.7 %.
+    // sqrt(2/32) 0.1 = 2.5 % of the mean, times the quantiles 3.419 and 2.388, and more for brighter images: 15.7 %.
     if (pair < 10) {
       EXPECT_NEAR(result.would_see.value(), 0.157, 0.05);
     }
@@ -197,14 +197,14 @@ TEST(agreement, takes_an_images_word_for_how_pixels_vary_together) {
     found += test_agreement(reference, brighter).whole.pass ? 0 : 1;
   }
   std::printf("%d false alarms, %d without its word, %d found, of %d\n", alarms, without, found, pairs);
-  // Three channels of one noise: the level is 0.00112; of 1000, 6 and more have probability 0.001.
+  // Three channels share one noise, so the level is 0.00112: 6 or more alarms of 1000 have probability 0.001.
   EXPECT_LT(alarms, 6);
   EXPECT_GT(without, 500);
   EXPECT_GE(found, 970);
 }
 
-/// Even light whose noise is spread over 3 x 3 pixels by 1/4, 1/2, 1/4 along either axis: a pixel has (3/8)^2 of the
-/// spread variance, a sum over many pixels all of it.
+/// Even light whose noise is spread over 3 x 3 pixels by 1/4, 1/2, 1/4 along either axis. A pixel has (3/8)^2 of the
+/// spread variance; a sum over many pixels has all of it.
 Rendering spread_noise(int size, std::uint64_t seed, bool says_so) {
   constexpr double deviation = 0.05, kernel[] = {0.25, 0.5, 0.25}, of_a_pixel = 9.0 / 64;
   Generator g(seed);
@@ -240,8 +240,8 @@ TEST(agreement, takes_an_images_word_for_how_neighbours_vary_together) {
   EXPECT_GT(unsaid, kPairs / 2);
 }
 
-// Neighbours vary together, as where they look up the same photons, and the image says no more than that. Blocks refuse
-// most of such pairs; pixels and the plain mean, whose error the image says, keep their level.
+// Neighbours vary together, as where they gather the same photons, and the image states only this. The block test
+// rejects most of such pairs. Pixels and the plain mean, whose error the image states, keep their level.
 TEST(agreement, of_images_whose_pixels_share_photons_is_by_pixels_and_the_whole_image) {
   const auto photons = [](std::uint64_t seed) {
     Rendering image = spread_noise(24, seed, false);
@@ -269,7 +269,7 @@ TEST(agreement, of_images_whose_pixels_share_photons_is_by_pixels_and_the_whole_
   EXPECT_EQ(told, kPairs - failures.any) << "the caller may know what the image does not say";
 }
 
-// Two images of 12 passes whose means are known to 0.01 each. The level of one channel is 0.00111608, whose two-sided
+// Two images of 12 passes whose means are known to 0.01 each. The level of one channel is 0.00111608. Its two-sided
 // quantile is 3.7468 for Student's t of 22 degrees of freedom and 3.2595 for the normal distribution.
 TEST(agreement, of_shared_photons_knows_how_few_passes_its_standard_error_comes_from) {
   const auto image = [](double mean, double passes) {
@@ -305,8 +305,9 @@ TEST(agreement, of_shared_noise_is_inconclusive_where_no_image_says_how_certain_
 }
 
 TEST(agreement, compares_blocks_without_what_all_pixels_are_high_by_together) {
-  // What is common has five times the deviation of a pixel's own noise, 0.1 and 0.02 of it. A block is held to the
-  // variance of both, as if pixels were independent: sqrt(2 (0.1^2 + 0.02^2)) / 8 = 1.8 %, some 14 of which are found.
+  // The common part has five times the deviation of a pixel's own noise: 0.1 against 0.02. A block is tested against
+  // the variance of both, as if pixels were independent: sqrt(2 (0.1^2 + 0.02^2)) / 8 = 1.8 %. Some 14 of these are
+  // found.
   const auto image = [](std::uint64_t seed, double block) {
     Rendering shared = shared_passes(24, 0.1 * std::sqrt(32), seed);
     MeanError error = stored_mean_error(shared).value();
@@ -345,9 +346,9 @@ TEST(agreement, compares_blocks_without_what_all_pixels_are_high_by_together) {
 }
 
 TEST(agreement, looks_beside_a_light_without_noise) {
-  // One of 36 places is exact and 2000 times as bright as the others. It counts as four of the others' 35, so that
-  // their error by s is one of 0.897 s of the mean. Weighed by certainty alone or in the plain mean the light would be
-  // all. A power of 0.99 at s = 1.15 would_see, 193 of 200 with probability 0.995.
+  // One of 36 blocks is exact and 2000 times as bright as the others. It counts as four of the others' 35, so that an
+  // error by s in them is one of 0.897 s in the mean. Weighed by certainty alone, or in the plain mean, the light would
+  // be all. A power of 0.99 at s = 1.15 would_see finds 193 of 200 with probability 0.995.
   const auto light = [](int x, int y) { return x < 8 && y < 8; };
   const auto image = [&](double factor, std::uint64_t seed) {
     Rendering with = render(
@@ -370,8 +371,8 @@ TEST(agreement, looks_beside_a_light_without_noise) {
 }
 
 TEST(agreement, finds_two_percent_of_energy) {
-  // 64 samples of deviation 0.5 leave 6 % a pixel, sqrt(2) 6 % / 8 = 1.1 % a block of a difference: 2 % on each of 64
-  // blocks are 1.8 deviations, chi^2 64 (1 + 3.3) against the bound 94. No pixel alone can show it.
+  // 64 samples of deviation 0.5 leave 6 % a pixel, and sqrt(2) 6 % / 8 = 1.1 % a block of a difference. The error of 2
+  // % on each of 64 blocks is 1.8 deviations, chi^2 64 (1 + 3.3) against the bound 94. No single pixel can show it.
   const auto darker = [](int x, int y) { return 0.98 * picture(x, y); };
   for (std::uint64_t seed = 1; seed < 20; seed += 2) {
     const Agreement result =
@@ -382,8 +383,8 @@ TEST(agreement, finds_two_percent_of_energy) {
 }
 
 TEST(agreement, judges_blocks_at_their_level) {
-  // 16 blocks: chi^2 with 16 degrees of freedom exceeds 38.922 with probability 1 - 0.99^(1/9) = 0.00111608, as
-  // exp(-x/2) sum over k < 8 of (x/2)^k/k! says.
+  // 16 blocks: chi^2 with 16 degrees of freedom exceeds 38.922 with probability 1 - 0.99^(1/9) = 0.00111608, from
+  // exp(-x/2) sum over k < 8 of (x/2)^k/k!.
   const Rendering image = render(32, 4, picture, gaussian, 1);
   const Agreement result = test_agreement(image, image);
   EXPECT_EQ(result.blocks.n, 16u);

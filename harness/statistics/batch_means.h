@@ -1,9 +1,9 @@
-// The mean of independent batches, and the variance of that mean from how much they differ.
+// The mean of independent batches, and the variance of that mean, estimated from the differences between batches.
 //
-// Batches are renders of equal size and samples whose seeds differ. Within one, Sobol points make the samples of a
-// pixel depend on each other, and bidirectional splats those of different pixels; between batches nothing does, so that
-// var(mean) = sum_b (x_b - mean)^2 / (B (B - 1)) has no bias whatever the sampler. Sums are Welford's (1962), in double
-// and in the order of the batches: going on from a file gives the bits of never having stopped.
+// Batches are renders of equal size and sample count with different seeds. Within a batch, Sobol points correlate the
+// samples of a pixel, and bidirectional splats correlate pixels. Batches are independent of each other, so var(mean) =
+// sum_b (x_b - mean)^2 / (B (B - 1)) is unbiased for every sampler. Sums are Welford's (1962), in double and in the
+// order of the batches. A run resumed from a file thus gives the same bits as one that never stopped.
 #pragma once
 
 #include <cstdint>
@@ -19,27 +19,28 @@ class BatchMeans {
  public:
   BatchMeans(int width, int height, int samples_per_batch);
 
-  /// Throws InputError, naming `where`, when the batch has another size, a value that is not finite, or radiances whose
-  /// variance floats do not hold. `squared_bias`: what its estimator says of itself, relative, of the pixels.
+  /// Throws InputError, naming `where`, when the batch has another size, values that are not finite, or radiances whose
+  /// variance is outside the range of floats. `squared_bias`: the relative bias that the estimator states, squared.
   void add(const Image& batch, const std::string& where, double squared_bias = 0);
 
   int width() const { return width_; }
   int height() const { return height_; }
   int samples_per_batch() const { return samples_per_batch_; }
   int batches() const { return batches_; }
-  /// Root of the mean square of what the batches say, which more batches do not lessen; 0 of an unbiased estimator.
+  /// Root of the mean square of the batches' stated biases, which more batches do not reduce; 0 for an unbiased
+  /// estimator.
   double relative_bias() const;
   /// Mean and variance of the mean. Precondition: two batches at least.
   Rendering rendering() const;
 
   /// A small binary file that ends in a checksum, for this machine's byte order; replaced as a whole.
   void save(const std::filesystem::path& file) const;
-  /// Throws InputError when it is no such file or is damaged.
+  /// Throws InputError when the file is not of this format or is damaged.
   static BatchMeans load(const std::filesystem::path& file);
 
  private:
   int width_, height_, samples_per_batch_, batches_ = 0;
-  double squared_biases_ = 0;           ///< of the batches, summed
+  double squared_biases_ = 0;           ///< sum of the batches' squared biases
   std::vector<double> mean_, squares_;  ///< sum of squared distances from the mean
 };
 

@@ -28,7 +28,7 @@ TEST(BatchMeans, mean_and_variance_of_the_mean_are_those_of_the_batches) {
   for (const float v : rendering.variance->rgb) EXPECT_FLOAT_EQ(v, 7.0f / 3);
 }
 
-// Batches whose estimator is biased by 3 % and 4 % say sqrt((0.03^2 + 0.04^2) / 2) together, however many they are.
+// Batches that state biases of 3 % and 4 % have sqrt((0.03^2 + 0.04^2) / 2) together, for any number of batches.
 TEST(BatchMeans, bias_is_the_root_of_the_mean_square_of_what_the_batches_say) {
   BatchMeans means(2, 1, 16);
   EXPECT_EQ(means.relative_bias(), 0);
@@ -39,7 +39,8 @@ TEST(BatchMeans, bias_is_the_root_of_the_mean_square_of_what_the_batches_say) {
   EXPECT_NEAR(means.relative_bias(), 0.0353553, 1e-7);
 }
 
-// Variances of radiances of 10^20 are beyond single precision, of 10^-20 below it: no reference would be held to noise.
+// Variances of radiances near 10^20 or 10^-20 are outside the range of floats: such a reference would have no noise
+// bound.
 TEST(BatchMeans, whose_variance_no_float_holds_are_refused) {
   BatchMeans means(2, 1, 16);
   for (const float radiance : {1e20f, 1e-20f}) {

@@ -1,4 +1,4 @@
-// The variance of a block of pixels, and how well it is known.
+// The variance of a block of pixels, and its degrees of freedom.
 #pragma once
 
 #include <algorithm>
@@ -10,8 +10,8 @@
 
 namespace photonproof::inline harness_statistics {
 
-/// The variance of a sum over a block whose pixels are independent, known as well as their spread says. `value(x, y)`
-/// is a pixel's variance.
+/// The variance of a sum over a block whose pixels are independent. The spread of the pixels' variances gives its
+/// degrees of freedom. `value(x, y)` is a pixel's variance.
 template <class Value>
 KnownVariance known_over(const Block& block, const Value& value) {
   KnownVariance known;
@@ -24,7 +24,7 @@ KnownVariance known_over(const Block& block, const Value& value) {
   return known;
 }
 
-/// Relative deviation squared of the block's variances, from their median and median absolute deviation, so that an
+/// Squared relative deviation of the block's variances. It uses their median and median absolute deviation, so that an
 /// edge or a light in the block does not count.
 template <class Value>
 double relative_spread_of_variance(const Block& block, const Value& value) {

@@ -1,5 +1,5 @@
-// The brightest sample that any block met: other blocks may have missed one as bright, in proportion to their
-// brightness at most (deviation.h says what that means).
+// The brightest sample that any block met. Other blocks may have missed one as bright, at most in proportion to their
+// brightness (see deviation.h).
 #pragma once
 
 #include <algorithm>
@@ -8,12 +8,12 @@ namespace photonproof::inline harness_statistics {
 
 struct BrightestSample {
   double of_channel = 0, of_block = 0;  ///< relative to the channel's mean, and to the block's
-  /// A sample that adds this much to a pixel of a block; brightness of a pixel, on average.
+  /// Records a sample that adds this much to a pixel of a block. The brightnesses are means over pixels.
   void add(double sample, double of_the_block, double of_the_channel) {
     if (of_the_channel > 0) of_channel = std::max(of_channel, sample / of_the_channel);
     if (of_the_block > 0) of_block = std::max(of_block, sample / of_the_block);
   }
-  /// A sample as bright, which a block may have missed, adds this much to a pixel.
+  /// The amount that an equally bright sample, which a block may have missed, adds to a pixel.
   double missed_by(double block, double channel) const { return std::min(of_channel * channel, of_block * block); }
 };
 

@@ -1,5 +1,4 @@
-// The one chi^2 of gates and of `agreement`: where nothing is wrong its p-values are uniform, for few images as for
-// many.
+// The chi^2 of gates and of `agreement`: its p-values are uniform for right images, for few images as for many.
 #include "harness/statistics/deviation.h"
 
 #include <gtest/gtest.h>
@@ -24,8 +23,8 @@ double p_value(double chi_square, std::size_t degrees) {
   return boost::math::cdf(boost::math::complement(boost::math::chi_squared(static_cast<double>(degrees)), chi_square));
 }
 
-/// How far the values' distribution is from the uniform one, times sqrt(n) (Kolmogorov and Smirnov): of n uniform
-/// values either exceeds 1.95 with probability exp(-2 1.95^2) = 0.0005.
+/// Distance of the values' distribution from the uniform one, times sqrt(n) (Kolmogorov and Smirnov). For n uniform
+/// values either distance exceeds 1.95 with probability exp(-2 1.95^2) = 0.0005.
 struct Distance {
   double more_small = 0;  ///< than uniform ones
   double fewer_small = 0;
@@ -119,8 +118,8 @@ Rendering mean_with_variance(Random& random, int images, bool uneven) {
 std::string text(int images, bool uneven) { return std::to_string(images) + (uneven ? " images, uneven" : " images"); }
 
 TEST(deviation, the_chi_square_of_a_gates_blocks_rejects_no_more_for_few_images_than_for_many) {
-  // Of few images cautious: pixels may share light, so a block's noise is taken to be no less than theirs, and the
-  // factor above that is an estimate. With 32 images that is past.
+  // The test is cautious with few images. Pixels may share light, so a block's noise is at least theirs, and the factor
+  // above that is an estimate. With 32 images this effect is gone.
   const Rendering reference = exact_reference();
   for (const bool uneven : {false, true})
     for (const int images : {3, 8, 32}) {
@@ -148,7 +147,7 @@ TEST(deviation, the_chi_square_of_agreements_blocks_is_uniform_for_few_estimates
     }
 }
 
-// 3 / sqrt(1 + 2 * 3 / 2) = 1.5 where one of the brightest samples may be missing from either side.
+// 3 / sqrt(1 + 2 * 3 / 2) = 1.5 where either side may lack one of the brightest samples.
 TEST(deviation, of_two_sides_with_noise_is_explained_alike_above_and_below) {
   Deviation d{3, 1};
   d.sample = 2;

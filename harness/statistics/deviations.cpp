@@ -17,7 +17,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 struct Channel {
   std::size_t width = 0;
   double images = 0;
-  std::vector<double> mean, variance;  ///< of one image, a pixel
+  std::vector<double> mean, variance;  ///< a pixel of one image
   std::vector<double> squares, cubes;  ///< second and third central moment of one image, as the images differ
   std::vector<double> least;           ///< variance of one image, known besides
   std::vector<double> reference, reference_variance;
@@ -50,8 +50,8 @@ Channel channel_of(const Rendering& reference, std::span<const Image* const> ima
   return channel;
 }
 
-/// The degrees of freedom of a sum of variances, each estimated with `freedom`, by it and the sum of their squares:
-/// E[s^4] = sigma^4 (1 + 2/f).
+/// The degrees of freedom of a sum of variances, each estimated with `freedom`, from the sum and the sum of their
+/// squares: E[s^4] = sigma^4 (1 + 2/f).
 double freedom_of_sum(double freedom, double sum, double squares) {
   return squares > 0 ? (freedom + 2) * sum * sum / squares : infinity;
 }
@@ -68,7 +68,7 @@ struct BlockSums {
   double pixels = 0, noisy_pixels = 0, variance = 0, variance_squared = 0, variance_cubed = 0, skewed = 0,
          reference = 0, reference_variance = 0, reference_variance_squared = 0, mean = 0, squares = 0, cubes = 0,
          least = 0;
-  /// What one sample adds to a pixel of one image.
+  /// The amount that one sample adds to a pixel of one image.
   double sample() const { return squares > 0 ? std::max(0.0, cubes / squares) : 0; }
   double brightness() const { return std::abs(reference) / pixels; }
 };
@@ -84,11 +84,11 @@ class ChannelDeviations {
         out_(out),
         freedom_(channel.images - 1),
         shared_(shared_noise(images, c)) {
-    // Pixels of one image may share light, they do not avoid each other's: below 1 is chance.
+    // Pixels of one image may share light but do not avoid each other's: a ratio below 1 is chance.
     shared_.within_blocks = std::max(1.0, shared_.within_blocks);
   }
 
-  /// Before `measure`: what the samples of this channel tell of all three.
+  /// Call before `measure`: the samples of this channel count for all three.
   void add_to(BrightestSample& brightest) {
     for (const Block& block : out_.places) sums_.push_back(sums_over(block));
     brightness_ = sums_over({0, 0, out_.width, out_.height}).brightness();
@@ -131,7 +131,7 @@ class ChannelDeviations {
     return sums;
   }
 
-  /// Largest difference of the reference within 3 x 3 pixels.
+  /// Largest difference of reference values within 3 x 3 pixels.
   double contrast_around(int x, int y) const {
     double least = channel_.reference[index(x, y)], most = least;
     for (int near_y = std::max(0, y - 1); near_y <= std::min(out_.height - 1, y + 1); ++near_y)
@@ -146,7 +146,7 @@ class ChannelDeviations {
     auto& pixels = out_.pixels[c_];
     pixels.resize(channel_.mean.size());
     for (std::size_t b = 0; b < sums_.size(); ++b) {
-      // A light's pixels beside others must not make those look certain.
+      // The light's pixels must not make the other pixels of the block look certain.
       const double mean = sums_[b].noisy_pixels > 0 ? sums_[b].variance / sums_[b].noisy_pixels : 0;
       const double reference_mean = sums_[b].reference_variance / sums_[b].pixels;
       std::vector<double> ratios;
@@ -161,14 +161,14 @@ class ChannelDeviations {
         const std::size_t i = index(x, y);
         KnownVariance known = steadied({channel_.variance[i], freedom_}, expectation);
         known.variance /= channel_.images;
-        // As agreement.h does: a pixel that saw none of its rare bright samples looks dark and certain.
+        // As in agreement.h: a pixel that met no rare bright sample looks dark and certain.
         const KnownVariance of_reference{std::max(reference_mean, channel_.reference_variance[i]),
                                          known_.reference_freedom};
         pixels[i] = deviation_of(channel_.mean[i], channel_.reference[i], known, of_reference);
         pixels[i].sample = brightest_of(sums_[b]) / channel_.images;
         if (known_.samples)
           pixels[i].standard_error = std::hypot(pixels[i].standard_error, contrast_around(x, y) / *known_.samples);
-        // Of few images a block may not have met its bright samples before this pixel did.
+        // With few images, a block may not have met its bright samples before this pixel did.
         pixels[i].skewness = skewness;
         if (pixels[i].sample > skewness * pixels[i].standard_error)
           pixels[i].skewness = pixels[i].sample / pixels[i].standard_error;
@@ -176,7 +176,7 @@ class ChannelDeviations {
     }
   }
 
-  /// The degrees of freedom of an expectation of which so many of these ratios are independent.
+  /// The degrees of freedom of an expectation, from ratios of which `independent` are independent.
   double worth(const std::vector<double>& ratios, double independent) const {
     return std::min(freedom_of_expectation(ratios, freedom_), freedom_ * std::max(0.0, independent - 1));
   }
@@ -204,7 +204,7 @@ class ChannelDeviations {
     const double of_blocks = worth(ratios, out_.independent_blocks[c_]), factor = shared_.within_blocks;
     for (std::size_t b = 0; b < sums_.size(); ++b) {
       const BlockSums& sums = sums_[b];
-      // What their pixels share, the blocks' own variance knows already.
+      // The blocks' own variance already includes the noise that their pixels share.
       const double of_pixels = std::max(
           0.0, freedom_of_sum(freedom_, sums.variance, sums.variance_squared) / factor - (factor > 1 ? freedom_ : 0));
       const KnownVariance expectation{factor * sums.variance / (sums.pixels * sums.pixels),
@@ -228,7 +228,7 @@ class ChannelDeviations {
         shared_.within_blocks * brightest_.of_channel * sums.brightness() / (sums.pixels * channel_.images);
   }
 
-  /// What the brightest sample that this block may have missed adds to a pixel of one image.
+  /// The amount that the brightest sample that this block may have missed adds to a pixel of one image.
   double brightest_of(const BlockSums& block) const { return brightest_.missed_by(block.brightness(), brightness_); }
 
   KnownVariance of_reference(const BlockSums& sums) const {

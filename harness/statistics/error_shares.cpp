@@ -18,8 +18,8 @@ constexpr std::size_t most_shares_named = 3;
 constexpr double named_over_even = 2;
 constexpr int least_window = 11;  // pixels, of ssim
 
-/// The row whose tiles tell where the metric's error is.
-const MetricRow& told_by(const std::string& metric) {
+/// The row of the metric whose tile values locate this metric's error.
+const MetricRow& metric_row(const std::string& metric) {
   const MetricRow* row = find_metric(metric);
   return row->shares.by ? *find_metric(row->shares.by) : *row;
 }
@@ -59,7 +59,7 @@ int share_tile_side(int width, int height) {
 std::vector<FailingTile> largest_error_shares(const std::string& metric, const Image& reference,
                                               std::span<const Image* const> images, MetricOptions options) {
   images = images.first(std::min(images.size(), most_images));
-  const MetricRow& row = told_by(metric);
+  const MetricRow& row = metric_row(metric);
   options.only = {row.name};
   options.also.clear();
   const int side = share_tile_side(reference.width, reference.height);

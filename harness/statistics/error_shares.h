@@ -1,4 +1,4 @@
-// Where a metric of the whole image has its error from: the metric of each tile alone, as a part of their sum.
+// Locates the error of a whole-image metric: the metric of each tile alone, as a share of their sum.
 #pragma once
 
 #include <span>
@@ -15,15 +15,16 @@ namespace photonproof::inline harness_statistics {
 /// parts.
 int share_tile_side(int width, int height);
 
-/// The tiles with the largest parts of a metric's error, worst first: one at least where there is an error, three at
-/// most, the further ones only with more than twice an even share. Their score is the part; their sentence reads "44 %
-/// of the error in 8 x 8 px at (24, 16), where the image is -12 %".
-/// What a tile is worth to a metric, its row says (TileShares, metric_rows.h):
-/// - Of metrics over windows (ssim, flip) a tile's values are those of the windows around its pixels, as in the whole
-///   image but for flip's widest filters. ms_ssim, undefined on so few pixels, is looked for by ssim, its first scale.
-/// - A trimmed mean or a quantile is looked for by the mean, a root by the mean below it. max_abs and flip_max have no
-///   parts: the tile that holds the greatest.
-/// Images count as their mean error; four at most are looked at. Preconditions: `metric` is in the table, sizes are
+/// The tiles with the largest shares of a metric's error, worst first: at least one where there is an error, at most
+/// three. The second and third have more than twice an even share. `score` is the share; the sentence reads "44 % of
+/// the error in 8 x 8 px at (24, 16), where the image is -12 %". The metric's row gives a tile's value (TileShares,
+/// metric_rows.h).
+/// * For metrics over windows (ssim, flip) a tile's values are those of the windows around its pixels. They equal the
+///   whole image's, except at flip's widest filters. ms_ssim, undefined on so few pixels, uses ssim, its first scale.
+/// * A trimmed mean or a quantile uses the mean; a root uses the mean under it. The metrics max_abs and flip_max have
+///   no shares. Their result is the tile that holds the maximum.
+///
+/// Several images count by their mean error; at most four are used. Preconditions: `metric` is in the table, sizes are
 /// equal, values finite.
 std::vector<FailingTile> largest_error_shares(const std::string& metric, const Image& reference,
                                               std::span<const Image* const> images, MetricOptions options);

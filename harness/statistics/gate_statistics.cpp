@@ -13,18 +13,17 @@
 namespace photonproof::inline harness_statistics {
 namespace {
 
-constexpr double missed = 0.01;     // probability of passing over a deviation as large as promised to be seen
-constexpr double most_of_it = 0.6;  // of the image's blocks: then a deviation is called the whole image's
+constexpr double missed = 0.01;     // Probability of missing a deviation of the promised size.
+constexpr double most_of_it = 0.6;  // Share of the image's blocks above which a deviation is called the whole image's.
 constexpr std::array channel_letters{"R", "G", "B"};
 
-/// Two-sided: the tail at which one of n deviations exceeds its bound with probability alpha.
-/// The part of a look's alpha that each test gets: of blocks, of all blocks together, of the whole image, and of
-/// pixels, which are not judged where an error is allowed.
+/// The part of a look's alpha for each test: blocks, all blocks together, the whole image, and pixels. Pixels are not
+/// judged where an error is allowed. `tail_of` is the two-sided tail of one of n tests at level alpha.
 double part_of(double alpha, const AllowedError& allowed) { return alpha / (allowed.is_none() ? 4 : 3); }
 
 double tail_of(double alpha, std::size_t n) { return sidak(alpha, static_cast<double>(n)) / 2; }
 
-/// What a deviation of a block is relative to. 0 where the channel is black.
+/// The value that a block's deviation is relative to. 0 where the channel is black.
 double scale_of(const Deviation& block, const Deviation& whole) {
   return std::max(std::abs(block.expected), std::abs(whole.expected));
 }
@@ -72,7 +71,7 @@ std::string places_text(const std::vector<FailingTile>& tiles) {
   return text;
 }
 
-/// The channel that is off by the most standard errors.
+/// The channel with the largest deviation in standard errors.
 std::size_t worst_channel(const Deviations& d) {
   std::size_t worst = 0;
   for (std::size_t c = 1; c < 3; ++c)
@@ -80,7 +79,7 @@ std::size_t worst_channel(const Deviations& d) {
   return worst;
 }
 
-/// Whether noise explains what is left of a channel's blocks when `explained` of each is taken away.
+/// Whether noise explains the rest of a channel's blocks after subtracting `explained` from each.
 bool is_explained(const Deviations& d, std::size_t channel, double alpha,
                   const std::function<double(const Deviation& block)>& explained) {
   std::vector<Deviation> left = d.blocks[channel];
@@ -93,7 +92,7 @@ std::string block_text(const Deviations& d, std::size_t b, std::size_t channel) 
   return fmt::format("{} at ({}, {})", relative_text(block.difference, block.expected), d.places[b].x0, d.places[b].y0);
 }
 
-/// How the deviation of a whole image is spread over it, which tells a light's power from a material or a background.
+/// The spread of a whole image's deviation over it, which tells a light's power from a material or a background.
 std::string spread_text(const Deviations& d, double alpha) {
   const std::size_t c = worst_channel(d);
   const Deviation& whole = d.whole[c];
@@ -123,9 +122,9 @@ std::string whole_text(const Deviations& d, double alpha) {
 }
 
 constexpr double noticed = 2;          // deviations from which a block is counted where all blocks fail together
-constexpr std::size_t most_named = 3;  // of them
+constexpr std::size_t most_named = 3;  // blocks named at most
 
-/// Blocks none of which is beyond its bound, but all together: the worst, and whether most go the same way.
+/// Blocks that only fail together, none by itself: names the worst and states whether most deviate in one direction.
 void name_blocks(const Deviations& d, const Deviations& judged, const BlockChiSquare& chi_square,
                  Judgement& judgement) {
   const std::size_t c = chi_square.channel;
@@ -169,7 +168,7 @@ std::string pixel_text(const Deviations& d, const PixelTest& test) {
                      test.beyond == 1 ? "value" : "values");
 }
 
-/// What could still hide: the relative deviation that would be seen with probability 1 - missed.
+/// The minimum detectable relative deviation: it is found with probability 1 - missed.
 double sees_from(const Deviation& d, double tail, double scale) { return (d.margin(tail) + d.margin(missed)) / scale; }
 
 struct Power {
@@ -177,7 +176,7 @@ struct Power {
   std::size_t worst_block = 0;
 };
 
-/// `whole`: as judge_whole knows it.
+/// `whole`: the result of judge_whole.
 Power power_of(const Deviations& d, double whole, double block_tail, const AllowedError& allowed) {
   Power power{whole};
   for (std::size_t c = 0; c < 3; ++c) {
@@ -192,7 +191,7 @@ Power power_of(const Deviations& d, double whole, double block_tail, const Allow
   return power;
 }
 
-/// Less what is allowed.
+/// The deviation beyond the allowed one.
 Deviation less(Deviation d, double allowed) {
   d.difference = std::copysign(std::max(0.0, std::abs(d.difference) - allowed), d.difference);
   return d;
@@ -264,7 +263,7 @@ Judgement judge_with_samples(const Deviations& d, const AgreementBounds& bounds,
   return judgement;
 }
 
-/// As if all kinds of samples had come.
+/// The deviations without an allowance for missing bright samples.
 Deviations without_rare_samples(Deviations d) {
   for (std::size_t c = 0; c < 3; ++c) {
     d.whole[c].sample = 0;
@@ -348,7 +347,7 @@ Judgement judge_bias(const Deviations& d, bool block, double bound, double alpha
     judgement.sentence = "the reference is black: nothing is relative to it";
     return judgement;
   }
-  // The one that decides: the surest outside, else the one that reaches furthest.
+  // The deciding value: the one surest to be outside, else the one with the largest reach.
   const Relative* outside = &*std::max_element(all.begin(), all.end(), [&](const Relative& a, const Relative& b) {
     return a.outside(bound) < b.outside(bound);
   });

@@ -25,8 +25,8 @@ struct Setting {
   Noise noise;
 };
 
-/// 65,536 draws ahead, of which noise takes one at random: slow distributions are drawn from once, and what images and
-/// references are drawn from is the same still.
+/// Draws 65,536 values beforehand; noise takes one at random. Slow distributions are sampled only once, and images and
+/// references still share one distribution.
 std::vector<double> drawn_ahead(const std::function<double(Random&)>& distribution) {
   Random random(3);
   std::vector<double> draws(1 << 16);
@@ -87,7 +87,7 @@ Image draw(Random& random, const Noise& noise) {
   return image;
 }
 
-/// As a reference is built: the mean of many images, with the variance of that mean.
+/// Builds a reference as the program does: the mean of many images, with the variance of that mean.
 Rendering reference_of(Random& random, const Noise& noise, int images) {
   std::vector<Image> drawn;
   std::vector<const Image*> pointers;
@@ -102,10 +102,10 @@ Rendering reference_of(Random& random, const Noise& noise, int images) {
   return reference;
 }
 
-/// The most false alarms in `runs` that a rate of alpha makes with probability 0.95.
+/// The 95 % quantile of the false alarms in `runs` at a rate of alpha.
 double most_alarms(int runs, double alpha) { return boost::math::quantile(boost::math::binomial(runs, alpha), 0.95); }
 
-/// A gate's looks at 8, 16 ... images; empty: none of them decided.
+/// The verdict of a gate that looks at 8, 16 ... images; empty if no look decides.
 std::optional<GateVerdict> sequential(Random& random, const Noise& noise, int looks,
                                       const std::function<Judgement(std::span<const Image* const>)>& judge) {
   std::vector<Image> drawn;
@@ -121,8 +121,8 @@ std::optional<GateVerdict> sequential(Random& random, const Noise& noise, int lo
 TEST(gate_statistics, agreement_holds_its_false_alarm_rate_over_all_looks) {
   constexpr int runs = 1000, looks = 2;
   constexpr double alpha = 0.05;
-  // Bounds of 1e-9 are never reached, so that every run takes all its looks. The reference's 2000 images have a 125th
-  // of the variance of the most that a run draws.
+  // Bounds of 1e-9 are never reached, so that every run takes all its looks. The variance of the reference's 2000
+  // images is at most 1/125 of that of a run's images.
   for (const Setting& setting : settings()) {
     Random random(7);
     const Rendering reference = reference_of(random, setting.noise, 2000);
@@ -165,9 +165,9 @@ TEST(gate_statistics, agreement_rarely_passes_over_an_error_as_large_as_its_boun
 }
 
 TEST(gate_statistics, agreement_passes_a_right_image_once_its_bounds_are_within_reach) {
-  // A value's relative deviation is 1/4 (16 exponential samples), so 16 images of 384 pixels leave 0.25/sqrt(16 384) =
-  // 0.32 % overall and 0.25/sqrt(16 64) = 0.78 % a block. Seen with probability 0.99 are (5.8 + 2.6) 0.32 % = 2.7 %
-  // overall, with Student's quantiles for 15 degrees of freedom, and some 7 0.78 % = 5.5 % a block.
+  // A value's relative deviation is 1/4 (16 exponential samples). So 16 images of 384 pixels leave 0.25/sqrt(16 384) =
+  // 0.32 % overall and 0.25/sqrt(16 64) = 0.78 % a block. The minimum detectable error at probability 0.99 is (5.8 +
+  // 2.6) 0.32 % = 2.7 % overall, with Student's quantiles for 15 degrees of freedom. A block's is 7 0.78 % = 5.5 %.
   Random random(3);
   const Rendering reference = reference_of(random, gamma_noise(1, 1), 1000);
   int passed = 0;
@@ -284,7 +284,7 @@ TEST(gate_statistics, a_metric_passes_within_fails_outside_and_else_asks_for_mor
 }
 
 TEST(gate_statistics, metrics_hold_their_false_alarm_rate_on_skewed_values) {
-  // As relmse of images with rare bright pixels: log-normal, sigma 0.5, whose mean exp(0.125) is the bound.
+  // Values like relmse of images with rare bright pixels: log-normal, sigma 0.5; the mean exp(0.125) is the bound.
   constexpr int runs = 2000;
   constexpr double alpha = 0.05;
   Random random(4);
@@ -299,8 +299,8 @@ TEST(gate_statistics, metrics_hold_their_false_alarm_rate_on_skewed_values) {
 }
 
 TEST(gate_statistics, a_reference_in_half_floats_alarms_no_image_without_noise) {
-  // The truth is a little above a half float: one pixel in a hundred of the reference is rounded up, by 2^-10, and says
-  // that its variance is the rounding's, (x - a)(b - x), a hundred times less than the square of its deviation.
+  // The truth is a little above a half float: one pixel in a hundred of the reference is rounded up, by 2^-10. Its
+  // stated variance is the rounding's, (x - a)(b - x), a hundredth of the square of its deviation.
   Random random(17);
   const double a = 1, b = 1 + std::ldexp(1.0, -10), x = a + 0.01 * (b - a);
   Image exact(width, height);
@@ -317,8 +317,8 @@ TEST(gate_statistics, a_reference_in_half_floats_alarms_no_image_without_noise) 
 }
 
 TEST(gate_statistics, expectations_are_worth_what_the_spread_of_variances_shows) {
-  // Variances with 7 degrees of freedom around truths that scatter themselves as 10 degrees of freedom around 1 do:
-  // s^2 = truth chi^2_7 / 7, truth = 10 / chi^2_10 (Smyth 2004). And around one truth: worth very much.
+  // The variances have 7 degrees of freedom: s^2 = truth chi^2_7 / 7. Their truths scatter as 10 degrees of freedom
+  // around 1 do: truth = 10 / chi^2_10 (Smyth 2004). Variances around one truth give a very large freedom.
   Random random(13);
   std::vector<double> scattered, alike;
   for (int i = 0; i < 20000; ++i) {
@@ -330,8 +330,8 @@ TEST(gate_statistics, expectations_are_worth_what_the_spread_of_variances_shows)
   EXPECT_GT(freedom_of_expectation(alike, 7), 200);
 }
 
-// Eight images that are 5 % too bright: an error that may be 6 % explains them, one of 3 % does not. What is promised
-// to be seen is beyond what is allowed.
+// Eight images are 5 % too bright: an allowed error of 6 % explains them, one of 3 % does not. The promised minimum
+// detectable error adds to the allowed one.
 TEST(gate_statistics, agreement_is_of_what_is_beyond_the_errors_that_are_allowed) {
   Random random(21);
   Rendering reference{Image(width, height), Image(width, height), {}};

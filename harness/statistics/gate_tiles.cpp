@@ -8,8 +8,9 @@
 namespace photonproof::inline harness_statistics {
 namespace {
 
-constexpr double carried = 4;          // standard errors from which a pixel is said to carry a deviation
-constexpr double carried_share = 0.8;  // of the place's deviation that such pixels must explain to be named instead
+constexpr double carried = 4;          // standard errors from which a pixel is named as a source of a deviation
+constexpr double carried_share = 0.8;  // share of the place's deviation that such pixels must explain to be named
+                                       // instead
 
 struct Place {
   std::vector<std::size_t> blocks;

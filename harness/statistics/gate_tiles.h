@@ -1,5 +1,5 @@
-// Where an image is off: neighbouring blocks that are off the same way make one place, cut down to the pixels that
-// carry the deviation, with one sentence each.
+// The places where an image deviates, with one sentence each. Neighbouring blocks that deviate in the same direction
+// make one place, which is cut down to the pixels that cause the deviation.
 #pragma once
 
 #include <functional>
@@ -10,7 +10,7 @@
 
 namespace photonproof::inline harness_statistics {
 
-/// How far a block is beyond what is allowed in a channel, in standard errors; 0 where it is not.
+/// A block's deviation beyond the allowed one in a channel, in standard errors; 0 where it is within.
 using BlockScore = std::function<double(std::size_t block, std::size_t channel)>;
 
 /// Worst first. Sentences read "-6.1 % over 41 px at (12, 40), red only".

@@ -1,9 +1,9 @@
-// Right images that the gates' statistics call wrong, by kind of noise and number of images: no more of them than alpha
-// and three standard deviations. Each kind is made of known parts, its expectation is the reference.
+// False alarms of the gates' statistics, by kind of noise and number of images. Their number must not exceed alpha plus
+// three standard deviations. Each kind is made of known parts; its expectation is the reference. This command
 //
 //   PHOTONPROOF_NULL_RUNS=1000 build/release/bin/null_table_test --gtest_filter=null_table.*
 //
-// prints the table of reports/published/null.md; ctest makes it of a few runs.
+// prints the table of reports/published/null.md. ctest makes it from a few runs.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -59,8 +59,8 @@ TEST(null_table, right_images_fail_no_more_often_than_alpha_whatever_their_noise
   }
 }
 
-// Statistics that call nothing wrong have no false alarms either: 8 images that are off by 5 % everywhere, or by 30 %
-// in one block, of noise that allows that to be seen.
+// Statistics without power have no false alarms either. So 8 images are off by 5 % everywhere, or by 30 % in one block,
+// with noise that leaves this detectable.
 TEST(null_table, an_error_is_found_beside_each_kind_of_noise_that_allows_it) {
   const Rendering reference = known_reference();
   Random random(9);
@@ -86,8 +86,8 @@ TEST(null_table, an_error_is_found_beside_each_kind_of_noise_that_allows_it) {
     }
 }
 
-// A twentieth of the light comes in one sample of 20,000, of which four images of 1,024 pixels meet three: some meet
-// none. They are 5 % too dark, more than their noise explains, and nothing is known.
+// A twentieth of the light comes in one sample of 20,000. Four images of 1,024 pixels meet three of these, and some
+// sets of images meet none. Those are 5 % too dark, more than their noise explains, and nothing shows why.
 TEST(null_table, rare_samples_that_may_be_missing_leave_it_undecided_and_are_named) {
   const Rendering reference = known_reference();
   const Kind kind = rare("", 0.05, 20000);

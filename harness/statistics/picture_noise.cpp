@@ -26,7 +26,7 @@ class LayerNoise {
     brightness_ = brightness_of(all);
   }
 
-  /// Before `measure`: what the samples of this channel tell of all three.
+  /// Call before `measure`: the samples of this channel count for all three.
   void add_to(BrightestSample& brightest) const {
     for (const Block& block : out_.places) brightest.add(brightest_in(block), brightness_of(block), brightness_);
   }
@@ -66,7 +66,8 @@ class LayerNoise {
     return sum;
   }
 
-  /// Variances may be a block's, which a dark pixel cannot owe to one sample: so no more than their root.
+  /// A layer's variances may be a block's, and then a dark pixel's is not from one sample. So the result is at most its
+  /// root.
   double brightest_in(const Block& block) const {
     double most = 0;
     for_each_pixel(block, [&](int x, int y) {
@@ -103,8 +104,8 @@ class LayerNoise {
     return deviation;
   }
 
-  /// By the error of the mean that the image states, or by its pixels where that is larger. Pixels that gather the same
-  /// photons say nothing of it, and count as fully correlated where the image states nothing.
+  /// Uses the stated error of the image's mean, or the pixels' variances where these give more. Where pixels gather the
+  /// same photons, their variances do not count, and without a stated error they count as fully correlated.
   void measure_whole(double sample) {
     const Block all{0, 0, out_.width, out_.height};
     Deviation& whole = out_.whole[c_] = sum_over(all, sample);
@@ -122,7 +123,7 @@ class LayerNoise {
   std::size_t c_;
   Deviations& out_;
   double splat_, correlation_;
-  double freedom_ = std::numeric_limits<double>::infinity();  ///< of the correlation
+  double freedom_ = std::numeric_limits<double>::infinity();  ///< degrees of freedom of the correlation
   double brightness_ = 0;                                     ///< mean over the image
 };
 
@@ -148,7 +149,7 @@ Deviations noise_by_images(const Rendering& rendering, std::span<const Image> im
   return measure_deviations(mean, pointers, {.reference_freedom = std::numeric_limits<double>::infinity()});
 }
 
-/// Excess kurtoses of a Gamma variable, 3/2 of the squared skewness, add up by the squares of the variances.
+/// The excess kurtosis of a Gamma variable is 3/2 of its squared skewness; kurtoses add with the squared variances.
 Deviation difference_of(const Deviation& first, const Deviation& second) {
   const double of_first = std::pow(first.standard_error, 2), of_second = std::pow(second.standard_error, 2);
   const double variance = of_first + of_second;
@@ -164,7 +165,7 @@ Deviation difference_of(const Deviation& first, const Deviation& second) {
   return d;
 }
 
-/// One sample adds as many times its weight to the mean. Precondition: blocks and pixels are measured.
+/// The sample of a block counts in proportion to its weight in the mean. Precondition: blocks and pixels are measured.
 Deviation weighed_difference(const Rendering& first, const Rendering& second, std::size_t channel,
                              const Deviations& between) {
   const PixelWeights weight(first, second, channel);

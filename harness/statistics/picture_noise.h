@@ -1,17 +1,17 @@
-// Two pictures that both have noise: how far the second is from the first in every pixel, block and overall, and how
-// far chance could have put it. Verify judges by this what engines draw, as gates judge by deviations.h.
+// Two pictures that both have noise: the deviation of the second from the first in every pixel, block and overall, and
+// the part that chance explains. `verify` judges engines' pictures by this, as gates judge by deviations.h.
 //
-// - A picture without a variance layer is a mean of images: its noise is measured as a gate measures it.
-// - A variance layer says how certain each pixel is. A pixel counts as no more certain than its block's mean. How
-//   variances spread over a block says how skewed samples are, and how well its variance is known (agreement.h).
-// - A pixel is taken for a Poisson number of samples of f each. One of the brightest adds f = variance / value. Either
+// * A picture without a variance layer is a mean of images: its noise is measured as a gate measures it.
+// * A variance layer gives each pixel's variance. A pixel counts as no more certain than its block's mean. The spread
+//   of variances over a block gives the samples' skewness and the degrees of freedom of the variance (agreement.h).
+// * A pixel is taken for a Poisson number of samples of f each. One of the brightest adds f = variance / value. Either
 //   picture may miss the brightest sample that any of its blocks met (deviation.h).
-// - An image may say that neighbours share splats, or how certain its mean is. Then any two pixels have
-//   one correlation, which widens blocks and lowers the number of independent ones (scenes/images/mean_error.h).
-// - Of two variance layers, means are also weighed: in many an image a few pixels at a light's edge have nearly all of
+// * An image may state that neighbours share splats, or the error of its mean. Then any two pixels have one
+//   correlation, which widens blocks and lowers the number of independent ones (scenes/images/mean_error.h).
+// * With two variance layers, means are also weighed: in many images a few pixels at a light's edge have nearly all of
 //   the noise (weighed_mean.h).
-// - Where pixels gather the same photons, nobody knows their correlation. A sum over pixels then counts as fully
-//   correlated, which no correlation exceeds; only an error of the mean that the image states is smaller.
+// * Where pixels gather the same photons, their correlation is unknown. A sum over pixels then counts as fully
+//   correlated, which no correlation exceeds. Only a stated error of the mean is smaller.
 #pragma once
 
 #include <span>
@@ -22,8 +22,8 @@
 namespace photonproof::inline harness_statistics {
 
 struct NoisyPicture {
-  const Rendering& rendering;       ///< with a variance
-  std::span<const Image> images{};  ///< whose mean it is, where no variance layer says how certain; else empty
+  const Rendering& rendering;       ///< With a variance.
+  std::span<const Image> images{};  ///< The images of this mean, where there is no variance layer; else empty.
 };
 
 /// The picture's own noise: values are in `expected`, differences are 0.
@@ -33,8 +33,8 @@ Deviations noise_of(const NoisyPicture& picture);
 /// picture.
 Deviations deviations_between(const NoisyPicture& first, const NoisyPicture& second);
 
-/// The one correlation c of any two pixels that explains an image's MeanError, where pixels share light paths:
-/// (error of the sum)^2 = (1 - c) sum v + c (sum sqrt v)^2. 0 where the image says nothing.
+/// The one correlation c of any two pixels that explains an image's MeanError, where pixels share light paths. It
+/// solves (error of the sum)^2 = (1 - c) sum v + c (sum sqrt v)^2. 0 where the image states no error.
 double correlation_of_pixels(const Rendering& rendering, std::size_t channel);
 
 }  // namespace photonproof::inline harness_statistics

@@ -12,7 +12,7 @@ namespace {
 /// An engine's own variance may be from few batches.
 bool is_of_few_batches(const PictureOfSamples& part) { return part.rendering.metadata.contains("photonproof:batches"); }
 
-/// Pixels' variances from few pictures, none less certain than its block is on the whole.
+/// Raises pixels' variances from few pictures to at least their block's mean.
 void steady_by_blocks(Image& variance) {
   const Image raw = variance;
   for (const Block& block : blocks_of(raw.width, raw.height))

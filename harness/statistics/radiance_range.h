@@ -1,4 +1,4 @@
-// Whether single precision, in which images are kept, holds the variances of one.
+// Whether single precision, the format of images, holds the variances of an image.
 #pragma once
 
 #include <string>
@@ -7,12 +7,12 @@
 
 namespace photonproof::inline harness_statistics {
 
-/// Radiances whose squares are floats, and of the brightest pixel, the least whose square is one still where noise is a
-/// ten thousandth of it.
+/// The range of the brightest pixel's radiance. The square of the largest is a float; so is the square of the least
+/// times 1e-4, the least relative noise.
 inline constexpr double most_radiance = 1e19, least_radiance = 1e-15;
 
-/// What is wrong with an image whose variance cannot be told, in other words after its name: its brightest pixel is out
-/// of that range. Empty where it is in it, and where all pixels are 0.
+/// The defect of an image whose brightest pixel is out of that range, worded to follow its name. Empty where the pixel
+/// is within it, and where all pixels are 0.
 std::string why_variance_is_lost(const Image& image);
 
 }  // namespace photonproof::inline harness_statistics

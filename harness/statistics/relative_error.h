@@ -1,4 +1,4 @@
-// The relative squared error behind relmse, for what needs more than the metric's one number.
+// The relative squared error behind relmse, for uses beyond the metric's single number.
 #pragma once
 
 #include "scenes/images/image.h"

@@ -39,8 +39,8 @@ BlockNoise noise_of(const Block& block, std::span<const Image* const> images, st
   return noise;
 }
 
-/// Sum over all pairs of blocks, and blocks with themselves, of their squared correlation over the images: that of a
-/// matrix of K rows and one normalised column a block is the same by its rows, K x K products in place of B x B.
+/// Sum of the squared correlation over the images, for all pairs of blocks and blocks with themselves. A matrix of K
+/// rows and one normalised column a block has the same sum over its rows: K x K products in place of B x B.
 double squared_correlations(const std::vector<BlockNoise>& blocks, std::size_t images) {
   std::vector<double> products(images * images);
   for (const BlockNoise& block : blocks) {
@@ -66,7 +66,7 @@ double upper_quantile(double freedom, double level) {
   return boost::math::quantile(boost::math::complement(boost::math::chi_squared(freedom), level));
 }
 
-/// Of independent blocks sum r^2 / B spreads as chi^2 does over the symmetric matrices without a trace.
+/// With independent blocks, sum r^2 / B spreads as chi^2 does over the symmetric matrices without a trace.
 double freedom_of_correlations(std::size_t images) {
   const double rank = static_cast<double>(images) - 1;
   return rank * (rank + 1) / 2 - 1;

@@ -59,7 +59,7 @@ TEST(shared_noise, is_not_seen_in_independent_pixels_more_often_than_its_level) 
 
 TEST(shared_noise, within_blocks_has_the_ratio_of_equally_correlated_pixels) {
   // A block's part of 0.05 beside a pixel's of 0.1: the correlation is 0.0025 / 0.0125 = 0.2, the ratio 1 + 63 0.2 =
-  // 13.6. 64 blocks and 31 degrees of freedom know it to sqrt(2 / 1984) = 3.2 %; 4 deviations are 13 %.
+  // 13.6. The 64 blocks and 31 degrees of freedom estimate it to sqrt(2 / 1984) = 3.2 %; 4 deviations are 13 %.
   std::mt19937_64 random(6);
   const SharedNoise shared = shared_in(random, 32, {.block = 0.05});
   EXPECT_NEAR(shared.within_blocks, 13.6, 1.8);

@@ -16,7 +16,7 @@ constexpr std::size_t least_for_outliers = 5;
 constexpr double normal_quartile = 0.6745;  // a normal distribution's MAD in standard deviations
 constexpr double outlier_score = 3.5;
 
-// Standard distributions differ between libraries; this does not.
+// Standard distributions differ between libraries; this one does not.
 std::size_t draw_below(std::size_t count, std::mt19937_64& generator) {
   return static_cast<std::size_t>((static_cast<unsigned __int128>(generator()) * count) >> 64);
 }
@@ -48,7 +48,7 @@ std::vector<std::size_t> all_indices(std::size_t count) {
   return indices;
 }
 
-// The statistic without the first observation, without the second ...
+// The statistic without the first observation, then without the second ...
 std::vector<double> jackknife(std::size_t count, const IndexStatistic& statistic) {
   std::vector<double> without_one;
   std::vector<std::size_t> indices = all_indices(count);

@@ -14,10 +14,10 @@ namespace photonproof::inline harness_statistics {
 
 /// Precondition of all of these: no value is NaN, and there is at least one.
 double mean_of(std::span<const double> values);
-double sample_variance(std::span<const double> values);  ///< of two values or more
+double sample_variance(std::span<const double> values);  ///< for two values or more
 /// Half-width of a two-sided 95 % interval in standard errors, by Student's t.
 double student_975(double freedom);
-double median_of(std::span<const double> values);  ///< of an even number, the mean of the two in the middle
+double median_of(std::span<const double> values);  ///< for an even number, the mean of the two in the middle
 
 struct BootstrapOptions {
   double confidence = 0.95;
@@ -25,16 +25,16 @@ struct BootstrapOptions {
   std::uint64_t seed = 1;
 };
 
-/// A statistic of the observations whose indices it is given, of which some may repeat.
+/// A statistic of the observations with the given indices, which may repeat.
 using IndexStatistic = std::function<double(std::span<const std::size_t> indices)>;
 
-/// Bias-corrected and accelerated (Efron 1987, "Better bootstrap confidence intervals"): for smooth statistics such as
-/// means, whose skewed distribution it follows. It needs dozens of observations: the bootstrap's interval of the mean
-/// of two is from one to the other, which holds the truth half of the time.
+/// Bias-corrected and accelerated interval (Efron 1987, "Better bootstrap confidence intervals"), for smooth statistics
+/// such as means; it follows their skewed distribution. It needs dozens of observations. For the mean of two values it
+/// reaches from one to the other, which holds the truth half of the time.
 Interval bootstrap_bca(std::size_t count, const IndexStatistic& statistic, const BootstrapOptions& options = {});
 
 /// 95 % interval of a smooth statistic of a few independent observations: Student's, with the standard error of the
-/// jackknife (Tukey 1958); of a mean this is the textbook's. Precondition: two observations or more.
+/// jackknife (Tukey 1958). For a mean it is the textbook's. Precondition: two observations or more.
 Interval jackknife_interval(std::size_t count, const IndexStatistic& statistic);
 
 /// `value` times and by exp(relative_half_width): an interval on the logarithm, whose ends stay positive.
@@ -47,8 +47,8 @@ Estimate estimated_mean(std::span<const double> values);
 /// the percentile bootstrap covers 87 % of seven values. No interval below six values: from the least to the largest of
 /// five lies the median with probability 1 - 2/32.
 Estimate estimated_median(std::span<const double> values);
-/// The median of positive times. Below six of them the interval is Student's of their logarithms, which covers 95 % of
-/// log-normal times and 93 % of those with an exponential tail; no interval below two.
+/// The median of positive times. Below six of them the interval is Student's of their logarithms; no interval below
+/// two. It covers 95 % of log-normal times and 93 % of those with an exponential tail.
 Estimate estimated_time(std::span<const double> values);
 
 struct LineFit {
@@ -58,8 +58,8 @@ struct LineFit {
 /// Least squares of y on x. Empty with fewer than two different x.
 std::optional<LineFit> fit_line(std::span<const double> x, std::span<const double> y);
 
-/// Indices of the values whose modified z-score 0.6745 |x - median| / MAD exceeds 3.5 (Iglewicz and Hoaglin 1993);
-/// none where fewer than five values or a MAD of 0 give no scale to judge by.
+/// Indices of the values whose modified z-score 0.6745 |x - median| / MAD exceeds 3.5 (Iglewicz and Hoaglin 1993).
+/// Empty where fewer than five values or a MAD of 0 give no scale.
 std::vector<std::size_t> outliers_of(std::span<const double> values);
 
 }  // namespace photonproof::inline harness_statistics

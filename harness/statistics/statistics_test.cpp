@@ -23,9 +23,10 @@ TEST(Statistics, median_is_the_middle_value_or_the_mean_of_the_two) {
   EXPECT_EQ(median_of(std::vector<double>{2, 2, 1, 9}), 2);
 }
 
-// Of seven values the median lies between the least and the largest with probability 1 - 2/128 = 0.984375, between the
-// second ones with 1 - 2 * 8/128 = 0.875: 0.95 is 0.3142857 of the way, and the ends lie 6 * 0.3142857 / (1 + 5 *
-// 0.3142857) = 0.7333333 of the way inward. Of five, between the extremes with 1 - 2/32 = 0.9375 only.
+// The median of seven values lies between the least and the largest with probability 1 - 2/128 = 0.984375. It lies
+// between the second ones with 1 - 2 * 8/128 = 0.875. The level 0.95 is 0.3142857 of the way. The ends lie 6 *
+// 0.3142857 / (1 + 5 * 0.3142857) = 0.7333333 of the way inward. For five values the extremes hold it with 1 - 2/32 =
+// 0.9375 only.
 TEST(Statistics, interval_of_the_median_lies_between_order_statistics) {
   const Estimate estimate = estimated_median(std::vector<double>{3, 1, 2, 7, 5, 4, 6});
   EXPECT_EQ(estimate.value, 4);
@@ -79,7 +80,7 @@ TEST(Statistics, interval_of_the_mean_of_two_is_students) {
   EXPECT_NEAR(std::log(estimate.interval->low / 2), -6.3531024, 1e-5);
 }
 
-// Of a mean the jackknife's standard error is the textbook's: mean 2.5, sqrt(5/3 / 4) = 0.645497, t(0.975; 3) =
+// The jackknife's standard error of a mean is the textbook's: mean 2.5, sqrt(5/3 / 4) = 0.645497, t(0.975; 3) =
 // 3.182446.
 TEST(Statistics, jackknife_of_a_mean_is_students_interval) {
   const std::vector<double> values{4, 1, 2, 3};
@@ -88,7 +89,7 @@ TEST(Statistics, jackknife_of_a_mean_is_students_interval) {
   EXPECT_NEAR(interval.high, 2.5 + 3.182446 * 0.645497, 1e-5);
 }
 
-// Of n normal values the mean's interval is +-1.96 sd / sqrt(n) up to the bootstrap's own noise.
+// The mean's interval for n normal values is +-1.96 sd / sqrt(n) up to the bootstrap's own noise.
 TEST(Statistics, bootstrap_interval_of_a_normal_mean_is_as_wide_as_theory_says) {
   std::mt19937_64 generator(1);
   std::normal_distribution<double> normal(10, 2);
@@ -147,9 +148,9 @@ TEST(Statistics, bca_follows_the_skew_of_the_data) {
   EXPECT_GT(bca.high - mean_of(values), 2 * (mean_of(values) - bca.low));
 }
 
-// The variance (over n) of ten skewed values is below itself in 59 % of resamples: z0 = 0.235. Ends by
-// scipy.stats.bootstrap(method="BCa") of 400,000 resamples: 25.7 and 329.5 (seeds differ by 0.2). Without z0 in the
-// quantiles they would be 19.0 and 311.2.
+// The variance (over n) of ten skewed values is below itself in 59 % of resamples: z0 = 0.235. The expected ends 25.7
+// and 329.5 are from scipy.stats.bootstrap(method="BCa") with 400,000 resamples (seeds differ by 0.2). Without z0 in
+// the quantiles they would be 19.0 and 311.2.
 TEST(Statistics, bca_is_that_of_another_implementation) {
   const std::vector<double> values{1, 2, 3, 4, 5, 7, 9, 13, 20, 40};
   const IndexStatistic variance = [&](std::span<const std::size_t> indices) {
@@ -166,8 +167,8 @@ TEST(Statistics, bca_is_that_of_another_implementation) {
   EXPECT_NEAR(interval.high, 329.5, 3);
 }
 
-// x = 1..5, y = 2, 4, 5, 4, 5 (the standard textbook example): slope 0.6, intercept 2.2, sum of squared residuals 2.4,
-// sum (x - 3)^2 = 10, so the slope's standard error is sqrt(2.4 / 3 / 10) = 0.28284; t(0.975; 3) = 3.18245.
+// x = 1..5, y = 2, 4, 5, 4, 5 (the standard textbook example): slope 0.6, intercept 2.2. The sum of squared residuals
+// is 2.4, sum (x - 3)^2 = 10. The slope's standard error is sqrt(2.4 / 3 / 10) = 0.28284, and t(0.975, 3) = 3.18245.
 TEST(Statistics, least_squares_slope_and_its_t_interval_are_the_textbook_ones) {
   const LineFit fit = *fit_line(std::vector<double>{1, 2, 3, 4, 5}, std::vector<double>{2, 4, 5, 4, 5});
   EXPECT_NEAR(fit.slope, 0.6, 1e-12);

@@ -1,4 +1,4 @@
-// Kinds of noise for tests of judgements: each made of known parts, with the expectation that `truth` says.
+// Kinds of noise for tests of verdicts: each made of known parts, with the expectation `truth`.
 #pragma once
 
 #include <cmath>
@@ -16,7 +16,7 @@ inline constexpr int side = 32, samples = 16;
 
 inline double truth(int x, int y, int c) { return 0.2 + 0.05 * c + 0.02 * x + (y > 12 ? 0.5 : 0.0); }
 
-/// A value over its expectation, by pixel; drawn anew for each image, so that a kind can keep what the image shares.
+/// A value over its expectation, by pixel; drawn anew for each image, so that a kind can keep its image's common part.
 using Factor = std::function<double(Random&, int x, int y)>;
 struct Kind {
   const char* name;
@@ -31,7 +31,7 @@ inline Kind by_pixel(const char* name, const Factor& factor) {
   return {name, [factor](Random&) { return factor; }};
 }
 
-/// 16 samples a pixel, of which one in `one_in` brings `share` of the light, the others the rest with 10 % of noise.
+/// 16 samples a pixel. One in `one_in` brings `share` of the light, the others the rest with 10 % of noise.
 inline Kind rare(const char* name, double share, double one_in) {
   return by_pixel(name, [=](Random& random, int, int) {
     const int met = std::poisson_distribution<int>(samples / one_in)(random);
@@ -39,7 +39,7 @@ inline Kind rare(const char* name, double share, double one_in) {
   });
 }
 
-/// 10 % of noise a pixel, and `deviation` that the pixels of a square share, or of the image.
+/// 10 % of noise a pixel, and `deviation` that the pixels of a square, or of the image, share.
 inline Kind shared(const char* name, int square, double deviation) {
   return {name, [=](Random& random) -> Factor {
             std::vector<double> parts(static_cast<std::size_t>(side * side));
@@ -97,7 +97,7 @@ inline Rendering known_reference() {
   return reference;
 }
 
-/// PHOTONPROOF_NULL_RUNS, or as many as usual.
+/// The value of PHOTONPROOF_NULL_RUNS, else `usual`.
 inline int asked_runs(int usual) {
   const char* asked = std::getenv("PHOTONPROOF_NULL_RUNS");
   return asked != nullptr ? std::atoi(asked) : usual;

@@ -1,5 +1,5 @@
-// The quantities of uncertainty that gates judge by, each against a number worked out by hand: degrees of freedom,
-// variances of references, numbers of images. A per cent off fails here.
+// The quantities of uncertainty that gates use, each against a number worked out by hand: degrees of freedom, variances
+// of references, numbers of images. An error of one per cent fails here.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -32,10 +32,10 @@ void expect_relative(double value, double expected, const char* what) {
   EXPECT_NEAR(value / expected, 1, per_cent) << what << ": " << value << ", expected " << expected;
 }
 
-// Four images of noise d that is one of three orthogonal patterns in each pixel, which makes every pixel's sample
-// variance s^2 = 4 d^2 / 3. Eight pixels of a block have its pattern, the other 56 cancel in pairs: the block's mean is
-// d/8 times the pattern, its variance s^2/64, that of 64 independent pixels. Of the 16 blocks six, five and five have
-// the same pattern: their squared correlations sum up to 36 + 25 + 25 = 86, no more than chance's 16 + 16 15/3 = 96.
+// Four images of noise d in one of three orthogonal patterns a pixel: every pixel's sample variance is s^2 = 4 d^2 / 3.
+// Eight pixels of a block have its pattern, the other 56 cancel in pairs. The block's mean is d/8 times the pattern,
+// its variance s^2/64, that of 64 independent pixels. Six, five and five of the 16 blocks share a pattern. Their
+// squared correlations sum up to 36 + 25 + 25 = 86, no more than chance's 16 + 16 15/3 = 96.
 constexpr std::array<std::array<int, 4>, 3> patterns{{{1, 1, -1, -1}, {1, -1, 1, -1}, {1, -1, -1, 1}}};
 
 std::vector<Image> balanced_images(double d) {
@@ -65,8 +65,8 @@ TEST(uncertainty, of_images_is_their_variance_over_their_number) {
 }
 
 // All ratios are equal, so that an expectation is worth its independent parts: 63 more pixels of 3 degrees beside a
-// pixel's own 3. Blocks of four images are sure to be 16 / (1 + sqrt(2/5) 3/2) = 8.211 independent ones: 6 degrees less
-// one are those of symmetric 3 x 3 matrices, and 3/2 undoes what chance adds to r^2. The image's mean has 4 - 1.
+// pixel's own 3. Blocks of four images surely are 16 / (1 + sqrt(2/5) 3/2) = 8.211 independent ones: 6 degrees less one
+// are those of symmetric 3 x 3 matrices. The factor 3/2 undoes what chance adds to r^2. The image's mean has 4 - 1.
 TEST(uncertainty, of_variances_is_worth_the_degrees_of_freedom_of_independent_parts) {
   const std::vector<Image> images = balanced_images(0.3);
   const Deviations found = measure_deviations(reference_of(1, 0), pointers(images), {.reference_freedom = 1e9});
@@ -78,8 +78,8 @@ TEST(uncertainty, of_variances_is_worth_the_degrees_of_freedom_of_independent_pa
   }
 }
 
-// A reference alone has noise: v a pixel with f degrees of freedom. The sums of n such have the variance v/n of a mean,
-// and n (f + 2) degrees: (sum v)^2 / sum v^2 of estimates is smaller than of their truth by f/(f + 2).
+// Only the reference has noise: v a pixel with f degrees of freedom. A mean over n pixels has the variance v/n and n (f
+// + 2) degrees. The reason is that (sum v)^2 / sum v^2 is smaller for estimates than for their truth, by f/(f + 2).
 TEST(uncertainty, of_a_reference_is_its_variance_and_its_degrees_of_freedom) {
   constexpr double f = 7;
   constexpr float v = 0.0004f;
@@ -99,15 +99,15 @@ TEST(uncertainty, of_a_reference_is_its_variance_and_its_degrees_of_freedom) {
   }
 }
 
-// Images of variance a and a reference of variance b: the variances add up, and so does doubt, (a/(a + b))^2 / f_a +
-// (b/(a + b))^2 / f_b (Welch 1947).
+// Images have variance a, the reference variance b. The variances add up, and so do the inverse degrees of freedom,
+// (a/(a + b))^2 / f_a + (b/(a + b))^2 / f_b (Welch 1947).
 TEST(uncertainty, of_images_and_a_reference_is_taken_together) {
   const Deviation found = deviation_of(1.5, 1, {0.03, 3}, {0.01, 7});
   expect_relative(std::pow(found.standard_error, 2), 0.04, "variance");
   expect_relative(found.freedom, 1 / (0.75 * 0.75 / 3 + 0.25 * 0.25 / 7), "freedom");
 }
 
-// The least variance that a reference's samples show counts where images show none: v over the four images.
+// The least variance from a reference's samples counts where images show none: v over the four images.
 TEST(uncertainty, of_images_is_no_less_than_what_is_known_of_one) {
   constexpr float v = 0.0004f;
   const std::vector<Image> images(4, reference_of(1, 0).mean);
@@ -118,7 +118,7 @@ TEST(uncertainty, of_images_is_no_less_than_what_is_known_of_one) {
   expect_relative(std::pow(found.blocks[0][5].standard_error, 2), v / 64 / 4, "block");
 }
 
-// One image of four has one sample that adds 8 to one pixel: it adds 8/4 to that pixel's mean, 8/4/64 to a block's and
+// One image of four has one sample that adds 8 to one pixel. It adds 8/4 to that pixel's mean, 8/4/64 to a block's and
 // 8/4/1024 to the image's, wherever it may be missing.
 TEST(uncertainty, of_rare_samples_is_what_one_adds) {
   std::vector<Image> images(4, reference_of(1, 0).mean);
@@ -131,8 +131,8 @@ TEST(uncertainty, of_rare_samples_is_what_one_adds) {
   }
 }
 
-// D in samples of f each, beside a standard error s: z = D / sqrt(s^2 + f D/2) below the reference, D/s above it. Of
-// D = 3, f = 2, s = 1 that is 1.5. D = 3 is what z = 1.5 stands for, so it is the margin of that probability.
+// D in samples of f each, beside a standard error s: z = D / sqrt(s^2 + f D/2) below the reference, D/s above it. D =
+// 3, f = 2, s = 1 give z = 1.5. Conversely D = 3 is the margin at the probability of z = 1.5.
 TEST(uncertainty, of_missing_samples_is_that_of_a_poisson_number_of_them) {
   Deviation low;
   low.difference = -3;
@@ -165,8 +165,8 @@ TEST(uncertainty, of_the_whole_image_is_shown_at_its_part_of_alpha) {
   expect_relative(half / found.whole[0].standard_error, 7.9283, "quantile");
 }
 
-// The chi^2 of 16 blocks that spread as 8 independent ones: twice the quantile of 8. Of 8 degrees 26.124 is exceeded
-// with probability 0.001.
+// The chi^2 of 16 blocks spreads as that of 8 independent ones: the bound is twice the quantile of 8 degrees. That is
+// 26.124 at probability 0.001.
 TEST(uncertainty, of_dependent_blocks_together_is_that_of_the_independent_ones) {
   std::array<std::vector<Deviation>, 3> blocks;
   for (auto& channel : blocks) channel.assign(16, Deviation{1, 1});

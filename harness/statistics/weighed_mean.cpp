@@ -10,7 +10,7 @@
 namespace photonproof::inline harness_statistics {
 namespace {
 
-constexpr double kMostOfMedian = 4;  // what a place counts in the whole image's mean, at most
+constexpr double kMostOfMedian = 4;  // largest weight of a place in the whole image's mean, over the median one's
 
 }  // namespace
 
@@ -32,12 +32,12 @@ PixelWeights::PixelWeights(const Rendering& reference, const Rendering& test, st
       variances[c].push_back(variance[c]);
     }
   }
-  // The relative variance of either colour's cells, as the other colour shows it.
+  // The relative variance of either colour's cells, as estimated from the other colour.
   std::array<std::vector<double>, 2> relative;
   std::vector<double> sorted;
   for (const std::size_t c : {std::size_t{0}, std::size_t{1}})
     for (std::size_t b = 0; b < blocks.size(); ++b) {
-      // Few samples may have met nothing of what makes a neighbourhood noisy.
+      // Few samples may all have missed the source of a neighbourhood's noise.
       constexpr double of_neighbours = 0.2;
       const double v = std::max(variances[1 - c][b], of_neighbours * around(variances[1 - c], b));
       const double m = means[1 - c][b];

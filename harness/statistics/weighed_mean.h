@@ -1,4 +1,4 @@
-// The mean of an image in which certain places count more than noisy ones, so that an error of all of it shows best.
+// The mean of an image in which certain places count more than noisy ones, so that a common error shows best.
 #pragma once
 
 #include <array>
@@ -11,14 +11,15 @@
 namespace photonproof::inline harness_statistics {
 
 /// Weights of the pixels of one channel in its mean over the image, for values r of variance v.
-/// - A common factor shows best where values are weighed by r/v. A light's edge, which a few samples
-///   decide, then does not drown the rest.
-/// - A place's share of the mean is r^2/v, of which a light without noise would have all. So none counts more than four
-///   times as much as the median one. With once as much, keyhole would take 1.7 times the samples for the same power,
-///   pool 2.2 times: where v goes with r, r/v is the plain mean, in which bright places count more than dark ones.
-/// - v is an estimate, and samples that are high by chance look uncertain. Weighed by their own
-///   variances they would count too little. So the pixels of either colour of a checkerboard take their weights from
-///   the other colour, whose noise is independent.
+/// * A common factor shows best where values are weighed by r/v. A light's edge, which a few samples decide, then does
+///   not drown the rest.
+/// * A place's share of the mean is r^2/v; a light without noise would have all of it. So each share is at most four
+///   times the median one. With a limit of once the median, keyhole would take 1.7 times the samples for the same
+///   power, pool 2.2 times. Where v is proportional to r, r/v is the plain mean, in which bright places count more than
+///   dark ones.
+/// * The variance v is an estimate, and samples that are high by chance look uncertain. Their own variances would give
+///   them too little weight. So the pixels of either colour of a checkerboard take their weights from the other colour,
+///   whose noise is independent.
 class PixelWeights {
  public:
   /// Precondition: both have a variance.

@@ -15,7 +15,7 @@ SceneDescription seen() {
   return scene;
 }
 
-/// From 10^k away, as narrow as to see what an orthographic camera does.
+/// The camera is 10^k away, with a field of view so narrow that it sees what an orthographic camera sees.
 Sweep telephoto() {
   const Vec3d direction = normalize(Vec3d{0, 7, 5});
   return {
@@ -43,7 +43,7 @@ Sweep telephoto() {
       }};
 }
 
-/// A floor without end under a sky of radiance 1, seen at a sine of 10^-k: half of it, wherever one looks.
+/// An endless floor under a sky of radiance 1, seen at a sine of 10^-k: radiance 1/2 everywhere.
 Sweep grazing_view() {
   Sweep sweep{
       "camera orthographic", "grazing", "at a sine of 10^-k above a plane", {1, 2, 3, 4, 5, 6, 7, 9}, 6, [](double k) {
@@ -80,7 +80,8 @@ Sweep clips() {
           [](double) { return StressScene{seen()}; }};
 }
 
-/// [-1,1]^2 of squares under a sky, seen from straight above, so that it fills the picture: by any lens the same.
+/// [-1,1]^2 of squares under a sky, seen from straight above. They fill the picture, which is the same through any
+/// lens.
 SceneDescription squares() {
   SceneDescription scene = empty_stress_scene();
   scene.textures.push_back({{}, "squares", CheckerboardDescription{RgbD(0.8), RgbD(0.2), Transform::scale(Vec3d(2))}});
@@ -116,7 +117,7 @@ Sweep wide_field() {
   return sweep;
 }
 
-/// Along no axis directions are known to 10^-7, and the steepest go far.
+/// Off the axes, directions are accurate to 10^-7, and the steepest go far.
 Sweep along_no_axis(const Sweep& straight, const std::vector<double>& heights, double wanted) {
   Sweep sweep = turned(straight);
   sweep.heights = heights;
@@ -125,7 +126,7 @@ Sweep along_no_axis(const Sweep& straight, const std::vector<double>& heights, d
   return sweep;
 }
 
-/// `lens` makes its aperture and its focus of 10^k, through which squares at a distance of 2 are sharp.
+/// `lens` sets aperture and focus from 10^k so that squares at a distance of 2 are sharp.
 Sweep lens_of(const char* sweep_run, const char* measure, const std::vector<double>& heights, double wanted,
               const std::function<void(double, ThinLensDescription&)>& lens) {
   Sweep sweep{"camera thinlens",
@@ -167,7 +168,7 @@ std::vector<Sweep> lenses() {
       })};
 }
 
-/// A room is 1 wherever it is seen, through any filter.
+/// A room has radiance 1 in every direction, through any filter.
 Sweep narrow_filter() {
   Sweep sweep{
       "image", "narrow filter", "a tent of a radius of 10^-k pixels", {0, 1, 2, 3, 6, 12, 30}, 30, [](double k) {

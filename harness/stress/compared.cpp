@@ -20,19 +20,19 @@ std::string names_of(const std::vector<KnownMetric>& known) {
 
 std::string text_of(const std::optional<double>& value) { return value ? fmt::format("{:.9g}", *value) : "undefined"; }
 
-/// Empty where it is what it has to be.
-std::string difference(const KnownMetric& known, const nlohmann::ordered_json& said) {
+/// The difference from the known value, as a sentence; empty where there is none.
+std::string difference(const KnownMetric& known, const nlohmann::ordered_json& printed) {
   std::optional<double> value;
-  if (said["value"].is_number()) value = said["value"].get<double>();
+  if (printed["value"].is_number()) value = printed["value"].get<double>();
   const auto is_equal = [&] { return std::abs(*value - *known.value) <= known.tolerance * std::abs(*known.value); };
   const bool is_right = value && known.value ? (known.is_limit ? *value <= *known.value : is_equal())
-                                             : !value && !known.value && said.contains("undefined");
+                                             : !value && !known.value && printed.contains("undefined");
   return is_right ? "" : fmt::format("{} is {}, should be {}", known.name, text_of(value), text_of(known.value));
 }
 
 }  // namespace
 
-std::vector<KnownMetric> metrics_said_of(const StressRunner& runner, const std::filesystem::path& reference,
+std::vector<KnownMetric> printed_metrics(const StressRunner& runner, const std::filesystem::path& reference,
                                          const std::filesystem::path& test, const std::vector<std::string>& names) {
   std::vector<KnownMetric> known;
   for (const std::string& name : names) known.push_back({name, {}});
@@ -41,8 +41,8 @@ std::vector<KnownMetric> metrics_said_of(const StressRunner& runner, const std::
   const auto json = nlohmann::ordered_json::parse(outcome.standard_output, nullptr, false);
   if (json.is_discarded() || !json.contains("metrics")) throw InputError("compare", last_line(outcome.standard_error));
   for (KnownMetric& metric : known)
-    for (const auto& said : json["metrics"])
-      if (said["name"] == metric.name && said["value"].is_number()) metric.value = said["value"].get<double>();
+    for (const auto& printed : json["metrics"])
+      if (printed["name"] == metric.name && printed["value"].is_number()) metric.value = printed["value"].get<double>();
   return known;
 }
 
@@ -65,10 +65,10 @@ LevelVerdict compare_files(const StressRunner& runner, const std::filesystem::pa
   std::string wrong;
   std::size_t found = 0;
   for (const KnownMetric& metric : known)
-    for (const auto& said : json["metrics"]) {
-      if (said["name"] != metric.name) continue;
+    for (const auto& printed : json["metrics"]) {
+      if (printed["name"] != metric.name) continue;
       ++found;
-      if (const std::string text = difference(metric, said); !text.empty() && wrong.empty()) wrong = text;
+      if (const std::string text = difference(metric, printed); !text.empty() && wrong.empty()) wrong = text;
     }
   if (found < known.size()) wrong = "a metric is missing";
   return {wrong.empty() ? LevelOutcome::right : LevelOutcome::silently_wrong, wrong, {}};

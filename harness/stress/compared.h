@@ -1,4 +1,4 @@
-// What `photonproof compare` says of two files, held against what it has to say.
+// Compares the output of `photonproof compare` for two files with known metrics.
 #pragma once
 
 #include <filesystem>
@@ -13,16 +13,16 @@ namespace photonproof::inline harness_stress {
 
 struct KnownMetric {
   std::string name;
-  std::optional<double> value;  ///< empty: has none, and the program says why
-  double tolerance = 1e-5;      ///< relative
-  bool is_limit = false;        ///< `value` is the most it may be
+  std::optional<double> value;  ///< Empty: the metric has no value, and the program gives the reason.
+  double tolerance = 1e-5;      ///< Relative.
+  bool is_limit = false;        ///< `value` is an upper bound.
 };
 
-/// What the program itself says of two files, to be held against others that have the same metrics.
-std::vector<KnownMetric> metrics_said_of(const StressRunner& runner, const std::filesystem::path& reference,
+/// The metrics that the program prints for two files, for comparison with others that must have the same metrics.
+std::vector<KnownMetric> printed_metrics(const StressRunner& runner, const std::filesystem::path& reference,
                                          const std::filesystem::path& test, const std::vector<std::string>& names);
 
-/// Refused where the program ends with an error that it explains.
+/// Refused where the program ends with an error and gives the reason.
 LevelVerdict compare_files(const StressRunner& runner, const std::filesystem::path& reference,
                            const std::filesystem::path& test, const std::vector<KnownMetric>& known,
                            const std::vector<std::string>& arguments = {});

@@ -1,7 +1,7 @@
 #!/bin/sh
-# Which ladders does each fault of numbers break, of all there are? The test NumericFaults holds a few of them to a few
-# climbs; this climbs everything, by path and photon mapper at the heights that are wanted and, where nothing shows, at
-# all below them, and prints what is worse than without a fault. Some minutes a fault.
+# Lists the sweeps that each fault of numbers breaks. The test NumericFaults checks a few faults on a few sweeps; this
+# script runs all sweeps. It runs path and photon mapper at the wanted levels and, where nothing shows, at all levels
+# below them. It prints what is worse than without a fault. Some minutes a fault.
 #   harness/stress/faults_of_numbers.sh PHOTONPROOF FOLDER [FAULT...]
 # needs photonproof-faulty beside PHOTONPROOF: cmake --build --preset release --target photonproof_faulty
 set -eu
@@ -17,13 +17,13 @@ shift 2
   fixed-step unclamped-metal
 mkdir -p "$folder"
 
-# Under one name for each fault, so that what is kept of one is not taken for another's.
+# Each fault has its own program name, so that its kept results are not taken for another fault's.
 with_fault() {
   command="$folder/program-$1"
   cat >"$command.part" <<END
 #!/bin/sh
 # $(cksum <"$program-faulty")
-# Faults of kernels are in those of one instruction set.
+# Faulty kernels exist for one instruction set only.
 case " \$* " in
   *" --integrator path "* | *" --integrator photonmapper "* | *" --integrator direct "*)
     [ "\$(uname -m)" != x86_64 ] || set -- "\$@" --isa v2 ;;
@@ -35,7 +35,7 @@ END
   realpath "$command"
 }
 
-# climb FAULT KIND OPTIONS...: to FOLDER/FAULT-KIND; KIND is quick or full.
+# climb FAULT KIND OPTIONS...: runs the sweeps into FOLDER/FAULT-KIND; KIND is quick or full.
 climb() {
   fault=$1 kind=$2
   shift 2
@@ -43,7 +43,7 @@ climb() {
     2>/dev/null || true
 }
 
-# worse FAULT KIND OPTIONS...: what is worse than without a fault; false where nothing is.
+# worse FAULT KIND OPTIONS...: prints what is worse than without a fault; false where nothing is.
 worse() {
   [ -f "$folder/none-$2.txt" ] || (kind=$2 && shift 2 && climb none "$kind" "$@")
   against=$folder/none-$2/stress.json
@@ -53,7 +53,7 @@ worse() {
 
 for fault in "$@"; do
   echo "== $fault"
-  # At the heights that are wanted a fault may not show, though it does below them: a step that is too long for a scene of a
-  # thousandth of the size is none in one that is rescaled.
+  # Some faults do not show at the wanted levels but do at lower ones. An example is a step that is too long for a scene
+  # of a thousandth of the size: it is right in one that is rescaled.
   worse "$fault" quick --quick || worse "$fault" full --engine path --engine photonmapper || echo "nothing is worse"
 done

@@ -1,5 +1,5 @@
-// One picture in two formats, which `compare` has to find equal up to what the format keeps, or refuse where it keeps
-// nothing.
+// One picture in two formats. `compare` must find them equal up to the format's precision, or refuse the file where the
+// format keeps nothing.
 
 #include <algorithm>
 #include <cmath>
@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Between 0.3 and 0.9 times `factor`.
+/// Values between 0.3 and 0.9 times `factor`.
 Image shades(int width, int height, double factor) {
   Image image(width, height);
   for (int y = 0; y < height; ++y)
@@ -28,7 +28,7 @@ Image shades(int width, int height, double factor) {
   return image;
 }
 
-/// The nearest half: 11 bits, down to steps of 2^-24.
+/// The nearest half float: 11 bits, down to steps of 2^-24.
 float as_half(float value) {
   int exponent = 0;
   std::frexp(value, &exponent);
@@ -39,10 +39,10 @@ float as_half(float value) {
 struct Format {
   const char *name, *extension;
   std::function<void(const fs::path&, const Image&)> write;
-  double kept;                                                   ///< the largest relative error of a value
-  std::vector<double> up, down;                                  ///< k of 10^k and 10^-k
-  double highest, lowest;                                        ///< those up to which values should be right
-  std::function<float(float)> held = [](float v) { return v; };  ///< what it makes of a value, where that is known
+  double kept;                                                   ///< The largest relative error of a value.
+  std::vector<double> up, down;                                  ///< The levels k of 10^k and 10^-k.
+  double highest, lowest;                                        ///< The last levels at which values should be right.
+  std::function<float(float)> held = [](float v) { return v; };  ///< The stored value, where that is known.
 };
 
 std::vector<Format> formats() {
@@ -59,8 +59,8 @@ std::vector<Format> formats() {
           {"TIFF float", ".tif", write_tiff_of_floats, 0, up, further, 37, 44}};
 }
 
-/// Of values from 0 to 1 alone: they take the curve of sRGB and are clamped. What 16 bits keep is worked out, and stays
-/// as exact as single precision until nothing is left.
+/// Formats of values from 0 to 1 only: they take the curve of sRGB and are clamped. The value that 16 bits keep is
+/// computed; it is as exact as single precision until nothing is left.
 std::vector<Format> formats_of_words() {
   const std::vector<double> down{0, 1, 2, 3, 4, 5, 6, 7};
   return {{"PNG 16 bits", ".png", write_png_of_words, 4e-6, {}, down, 0, 7, as_srgb_word},

@@ -1,5 +1,5 @@
-// Lights of 10^k whose nearest point is 12 above the floor, which alone is seen: its irradiance is known whatever their
-// size. Most are tilted, since what lies along the axes is spared most roundings.
+// Lights of size 10^k whose nearest point is 12 above the floor. Only the floor is seen; its irradiance is known for
+// any size. Most lights are tilted, since axis-aligned shapes avoid most roundings.
 #include <cmath>
 #include <numbers>
 
@@ -10,7 +10,7 @@ namespace photonproof::inline harness_stress {
 namespace {
 
 constexpr double above_floor = 12, light_tilt = 30, floor_albedo = 0.5;
-/// So many radii long a cylinder is endless, to 1e-4 of its light.
+/// A cylinder of this many radii counts as endless, to 1e-4 of its light.
 constexpr double long_for_its_radius = 200;
 
 struct HugeLight {
@@ -27,14 +27,14 @@ ShapeDescription& add_light(SceneDescription& scene, const Geometry& geometry, c
   return light;
 }
 
-/// Around the light's middle.
+/// A rotation around the light's middle.
 Transform tilted() { return Transform::translate({0, above_floor, 0}) * Transform::rotate({0, 0, 1}, light_tilt); }
 
-/// An endless plane that is tilted by t takes (1 + cos t)/2 of the sky's light.
+/// An endless plane that is tilted by t lights the floor with (1 + cos t)/2 of the sky's light.
 double share_of_plane(double) { return (1 + std::cos(light_tilt * std::numbers::pi / 180)) / 2; }
 double all_around(double) { return 1; }
 
-/// Whose nearest line is that of height 0, above it, or below it where what shines is its inside.
+/// A tube whose nearest line is at height 0. The tube lies above it, or below it where its inside emits.
 Geometry lying_tube(double radius, bool inward) {
   const double half = long_for_its_radius / 2 * radius, middle = inward ? -radius : radius;
   return CylinderDescription{{-half, middle, 0}, {half, middle, 0}, radius};
@@ -43,7 +43,7 @@ Transform straight() { return Transform::translate({0, above_floor, 0}); }
 
 std::vector<HugeLight> huge_lights(const std::filesystem::path& assets) {
   const std::vector<double> round{2, 3, 4, 5, 6, 7, 8, 9, 11, 13}, flat{4, 5, 6, 7, 8, 9, 11};
-  // Of 10^7 the round ones, too, are flat to a thousandth of their light.
+  // At 10^7 the round ones, too, are flat to a thousandth of their light.
   const std::vector<double> all_but_flat{7, 8, 9, 11, 13};
   const auto plate = [=](const char* shape, const Geometry& geometry) {
     return HugeLight{shape, "huge and tilted", flat,
@@ -85,11 +85,11 @@ std::vector<HugeLight> huge_lights(const std::filesystem::path& assets) {
            all_around}};
 }
 
-/// What makes rays go another way: something in a corner, next to nothing in size.
-struct Company {
+/// Something tiny in a corner that makes the renderer trace rays in another way.
+struct OtherLights {
   const char* name;
   std::function<void(SceneDescription&)> add;
-  std::vector<std::string> engines;  ///< that it makes a difference to
+  std::vector<std::string> engines;  ///< The engines that it affects.
 };
 
 ShapeDescription& add_in_a_corner(SceneDescription& scene, const Geometry& geometry, const BsdfModel& model) {
@@ -97,7 +97,7 @@ ShapeDescription& add_in_a_corner(SceneDescription& scene, const Geometry& geome
                    add_bsdf(scene, model));
 }
 
-std::vector<Company> companies() {
+std::vector<OtherLights> other_lights() {
   std::vector<std::string> all = stress_engines();
   all.emplace_back("whitted");
   return {
@@ -118,22 +118,22 @@ std::vector<Company> companies() {
 std::vector<Sweep> huge_light_sweeps(const std::filesystem::path& assets) {
   std::vector<Sweep> sweeps;
   for (const HugeLight& light : huge_lights(assets))
-    for (const Company& company : companies()) {
+    for (const OtherLights& others : other_lights()) {
       Sweep sweep;
       sweep.feature = "light " + std::string(light.shape);
-      sweep.sweep_run = light.sweep_run + std::string(company.name);
+      sweep.sweep_run = light.sweep_run + std::string(others.name);
       sweep.measure = "a radius or half width of 10^k";
       sweep.heights = light.heights;
       sweep.wanted = 9;
       sweep.level = [=](double k) {
         SceneDescription scene = stress_scene_floor();
         light.add(scene, std::pow(10.0, k));
-        company.add(scene);
+        others.add(scene);
         return StressScene{scene};
       };
       sweep.radiance = floor_albedo;
       sweep.factor = [=](double k) { return light.share(std::pow(10.0, k)); };
-      sweep.engines = company.engines;
+      sweep.engines = others.engines;
       sweeps.push_back(std::move(sweep));
     }
   return sweeps;

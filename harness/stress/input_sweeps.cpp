@@ -33,7 +33,7 @@ Sweep number_in(const char* where, const SceneDescription& scene, const char* ma
   return sweep;
 }
 
-/// The text of the scene has `marker` where the number goes.
+/// The text of the scene has `marker` in place of the number.
 void add_numbers(std::vector<Sweep>& sweeps, const std::string& where, const SceneDescription& scene,
                  const char* marker) {
   sweeps.push_back(number_in(("no number as " + where).c_str(), scene, marker,
@@ -97,7 +97,7 @@ void add_numbers_in_meshes(const fs::path& assets, std::vector<Sweep>& sweeps) {
   add(".obj", floor_as_obj, "OBJ");
 }
 
-/// One value of the file that a texture or a sky is read from.
+/// One value of the file from which a texture or a sky is read.
 Sweep no_number_in_picture(const fs::path& assets, const char* sweep_run,
                            const std::function<SceneDescription(const std::string&)>& scene_of) {
   constexpr float infinite = std::numeric_limits<float>::infinity();

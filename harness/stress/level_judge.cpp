@@ -29,8 +29,8 @@ bool any_other_than_zero(const Image& image) {
   return std::any_of(image.rgb.begin(), image.rgb.end(), [](float v) { return v != 0; });
 }
 
-/// Whether no value is the largest float, which stands for more, and the largest is a whole one. (Of smaller ones the
-/// program must say that they are lost.)
+/// Whether no value is the largest float, which stands for overflow, and the largest one is a normal number. (The
+/// program must warn of smaller ones.)
 bool is_in_range(const Image& variance) {
   const float largest = *std::max_element(variance.rgb.begin(), variance.rgb.end());
   return largest < std::numeric_limits<float>::max() && largest >= std::numeric_limits<float>::min();
@@ -42,7 +42,7 @@ double mean_of(const Image& image) {
   return image.rgb.empty() ? 0 : sum / static_cast<double>(image.rgb.size());
 }
 
-/// The image that is expected, and its variance.
+/// The expected image and its variance.
 Rendering expected_rendering(const LevelExpectation& expected, const Image& like) {
   if (expected.picture) return *expected.picture;
   Rendering flat;
@@ -51,7 +51,7 @@ Rendering expected_rendering(const LevelExpectation& expected, const Image& like
   return flat;
 }
 
-/// Of the variance of both together, of a pixel on average: a few that are rare and bright are not to outweigh others.
+/// The reference's share of the sum of both variances, averaged over pixels so that a few bright ones do not dominate.
 double share_of_variance(const Rendering& reference, const Rendering& test) {
   double shares = 0, values = 0;
   for (std::size_t i = 0; i < reference.variance->rgb.size(); ++i) {
@@ -64,9 +64,9 @@ double share_of_variance(const Rendering& reference, const Rendering& test) {
   return values > 0 ? shares / values : 0;
 }
 
-/// Of the mean of the whole, where images tell it: pixels that look the same photons up err together.
+/// The stated error of the whole image's mean. Pixels that gather the same photons err together.
 struct CommonError {
-  double deviation = 0, share_of_expected = 0;  ///< of its square, the expected picture's
+  double deviation = 0, share_of_expected = 0;  ///< `share_of_expected`: the expected picture's share of the square.
 };
 
 CommonError common_error(const Rendering& reference, const Rendering& test) {
@@ -82,7 +82,7 @@ CommonError common_error(const Rendering& reference, const Rendering& test) {
 
 struct BlockSums {
   Block block;
-  double difference = 0, expected = 0, variance = 0;  ///< of the values of all pixels and channels
+  double difference = 0, expected = 0, variance = 0;  ///< Sums over all pixels and channels.
 };
 
 std::vector<BlockSums> sums_of_blocks(const Rendering& reference, const Rendering& test) {
@@ -101,12 +101,12 @@ std::vector<BlockSums> sums_of_blocks(const Rendering& reference, const Renderin
   return blocks;
 }
 
-/// How much more the blocks deviate than pixels would that err by themselves: where pixels are small for the discs that
-/// photons are looked up in, neighbours err together. Of half the blocks, so that a part that is wrong does not count;
-/// where there are few it is 1.
+/// The factor by which blocks deviate more than blocks of independent pixels. Where pixels are small against the gather
+/// discs of photons, neighbours err together. It uses the median block, so that a wrong part does not count. It is 1
+/// for few blocks.
 double errors_in_common(const std::vector<BlockSums>& blocks) {
   constexpr std::size_t tell = 100;
-  constexpr double median_of_normal = 0.6745;  // of |x|
+  constexpr double median_of_normal = 0.6745;  // median of |x|
   std::vector<double> deviations;
   for (const BlockSums& sums : blocks)
     if (sums.variance > 0) deviations.push_back(std::abs(sums.difference) / std::sqrt(sums.variance));
@@ -116,7 +116,7 @@ double errors_in_common(const std::vector<BlockSums>& blocks) {
   return std::max(1.0, *middle / median_of_normal);
 }
 
-/// Means of blocks and of the whole within a band about what is expected, which noise widens.
+/// Judges the means of blocks and of the whole against a band about the expected ones, which noise widens.
 LevelVerdict judge_means(const Rendering& reference, const Rendering& test, double claimed_bias) {
   const CommonError together = common_error(reference, test);
   const double sigmas = 4.5, common = 3 * together.deviation;
@@ -129,7 +129,7 @@ LevelVerdict judge_means(const Rendering& reference, const Rendering& test, doub
     all_difference += sums.difference;
     all_expected += sums.expected;
     all_variance += sums.variance;
-    const double pixels = sums.block.pixels();  // that all err as one make the block err by the root of their number
+    const double pixels = sums.block.pixels();  // if all err as one, the block errs by the root of their number
     const double deviation = std::max(std::min(wider, std::sqrt(pixels)) * std::sqrt(sums.variance), common * pixels);
     const double band = (biased_block + 4 * claimed_bias) * std::abs(sums.expected) + 2 * sigmas * deviation;
     const double beyond = std::abs(sums.difference) / std::max(band, 1e-300);
@@ -168,7 +168,8 @@ LevelVerdict judge_pixels(const Rendering& reference, const Rendering& test) {
   return verdict;
 }
 
-/// Of a picture that is there. `wrong` where it is none that is expected, whatever was said.
+/// Judges an existing picture. The result is silently_wrong where it is not the expected one, whatever warnings there
+/// are.
 LevelVerdict judge_picture(const LevelEvidence& evidence, const LevelExpectation& expected) {
   LevelVerdict verdict;
   const Rendering& picture = *evidence.picture;
@@ -192,7 +193,7 @@ LevelVerdict judge_picture(const LevelEvidence& evidence, const LevelExpectation
   if (is_known) {
     test.variance = divided(divided(*picture.variance, expected.factor), expected.factor);
   } else {
-    test.variance = *reference.variance;  // as wide as that of as many samples
+    test.variance = *reference.variance;  // scaled from the reference's number of samples
     for (float& v : test.variance->rgb) v *= static_cast<float>(expected.samples / evidence.samples);
   }
   if (!any_other_than_zero(reference.mean) && mean_of(test.mean) != 0) {
@@ -202,10 +203,10 @@ LevelVerdict judge_picture(const LevelEvidence& evidence, const LevelExpectation
   }
   const bool by_pixels = expected.is_exact && is_known;
   verdict = by_pixels ? judge_pixels(reference, test) : judge_means(reference, test, 0);
-  // What an engine claims to be wrong by excuses a picture that is; one that is right needs no excuse.
+  // The bias that an engine states excuses a wrong picture; a right one needs no excuse.
   if (!by_pixels && verdict.outcome != LevelOutcome::right)
     verdict = judge_means(reference, test, evidence.relative_bias);
-  const bool is_lost = evidence.tells_noise && !is_known && any_other_than_zero(*reference.variance);
+  const bool is_lost = evidence.states_noise && !is_known && any_other_than_zero(*reference.variance);
   if (verdict.outcome == LevelOutcome::right && is_lost && evidence.losses.empty()) {
     verdict.outcome = LevelOutcome::silently_wrong;
     verdict.sentence = has_noise ? "the mean is right, its variance is none" : "the mean is right, its variance is 0";
@@ -216,22 +217,22 @@ LevelVerdict judge_picture(const LevelEvidence& evidence, const LevelExpectation
 }  // namespace
 
 LevelVerdict judge_level(const LevelEvidence& evidence, const LevelExpectation& expected) {
-  const bool is_said = !evidence.losses.empty();
+  const bool is_reported = !evidence.losses.empty();
   if (evidence.refused) return {LevelOutcome::refused, evidence.message, {}};
   if (!evidence.picture) return {LevelOutcome::crashed, evidence.ending + ": " + evidence.message, {}};
-  if (expected.must_refuse && !is_said)
+  if (expected.must_refuse && !is_reported)
     return {LevelOutcome::silently_wrong, "was rendered, though it is no number", {}};
   LevelVerdict verdict = judge_picture(evidence, expected);
   verdict.is_wrong = verdict.outcome == LevelOutcome::silently_wrong;
-  if (verdict.is_wrong && is_said) {
+  if (verdict.is_wrong && is_reported) {
     verdict.outcome = LevelOutcome::degraded;
     verdict.sentence += "; said: " + evidence.losses.front();
   } else if (verdict.outcome == LevelOutcome::right) {
     if (verdict.would_see && *verdict.would_see > level_power) {
-      verdict.outcome = is_said ? LevelOutcome::degraded : LevelOutcome::undecided;
+      verdict.outcome = is_reported ? LevelOutcome::degraded : LevelOutcome::undecided;
       verdict.sentence = fmt::format("only an error of {:.3g} % would have been seen{}", 100 * *verdict.would_see,
-                                     is_said ? "; said: " + evidence.losses.front() : "");
-    } else if (is_said) {
+                                     is_reported ? "; said: " + evidence.losses.front() : "");
+    } else if (is_reported) {
       verdict.sentence = "right, and said: " + evidence.losses.front();
     }
   }

@@ -1,4 +1,4 @@
-// What has become of one level: judged by its picture, by what the program said, and by how it ended.
+// Judges one level by its picture, the program's warnings, and how the process ended.
 #pragma once
 
 #include <optional>
@@ -10,25 +10,25 @@
 
 namespace photonproof::inline harness_stress {
 
-/// What came out of one render.
+/// The result of one render.
 struct LevelEvidence {
-  std::optional<Rendering> picture;  ///< of a process that ended with 0, or with 1 where values are not finite
-  bool refused = false;              ///< exit code 2 with a message
-  std::string ending;                ///< how the process ended: "killed by SIGSEGV"
-  std::string message;               ///< the last line on standard error
-  std::vector<std::string> losses;   ///< what the stats say the picture lacks
-  double relative_bias = 0;          ///< what the stats claim, 0 where they claim none
-  double samples = 1;                ///< a pixel
-  bool tells_noise = true;  ///< has a variance layer, as our own engines; else means are compared by themselves
+  std::optional<Rendering> picture;  ///< From a process that ended with 0, or with 1 where values are not finite.
+  bool refused = false;              ///< Exit code 2 with a message.
+  std::string ending;                ///< The end of the process: "killed by SIGSEGV".
+  std::string message;               ///< The last line on standard error.
+  std::vector<std::string> losses;   ///< Losses of the picture that the stats list.
+  double relative_bias = 0;          ///< The bias that the stats state, else 0.
+  double samples = 1;                ///< Samples a pixel.
+  bool states_noise = true;          ///< Has a variance layer, like our own engines; else only means are compared.
 };
 
-/// What it has to be.
+/// The expected result.
 struct LevelExpectation {
-  std::optional<Rendering> picture;  ///< times `factor`
-  std::optional<double> radiance;    ///< the same everywhere, also times `factor`
+  std::optional<Rendering> picture;  ///< Times `factor`.
+  std::optional<double> radiance;    ///< Equal everywhere, also times `factor`.
   double factor = 1;
-  double samples = 1;     ///< a pixel, of `picture`
-  bool is_exact = false;  ///< the engine's pixels are unbiased and independent; else means of blocks are compared
+  double samples = 1;     ///< Samples a pixel of `picture`.
+  bool is_exact = false;  ///< The engine's pixels are unbiased and independent; else means of blocks are compared.
   bool must_refuse = false;
 };
 
@@ -36,16 +36,16 @@ struct LevelVerdict {
   LevelOutcome outcome = LevelOutcome::undecided;
   std::string sentence;
   std::optional<double> would_see;
-  bool is_wrong = false;         ///< the picture is, whatever was said
-  double allowed = 0;            ///< of would_see: what the means may be off by, however many samples there are
-  double share_of_expected = 0;  ///< of the square of the rest, which is noise: what the expected picture has of it
+  bool is_wrong = false;         ///< The picture is wrong, with or without a warning.
+  double allowed = 0;            ///< The part of would_see that the means may be off by for any number of samples.
+  double share_of_expected = 0;  ///< The expected picture's share of the square of the other part, which is noise.
 };
 
-/// The tests of one look together fail with this probability where all is right.
+/// The probability that the tests of one look together fail for a right picture.
 inline constexpr double level_alpha = 0.001;
-/// Right means that a relative error of the mean of this much would have been seen.
+/// A right level's mean has a minimum detectable relative error of at most this much.
 inline constexpr double level_power = 0.1;
-/// What a photon mapper's means may be off: of the whole image, and of a block of 8 x 8 pixels.
+/// Allowed relative errors of a photon mapper's means: of the whole image, and of a block of 8 x 8 pixels.
 inline constexpr double biased_mean = 0.03, biased_block = 0.1;
 
 LevelVerdict judge_level(const LevelEvidence& evidence, const LevelExpectation& expected);

@@ -1,4 +1,4 @@
-// Levels are judged by pictures made here, so that what is wrong with them is known.
+// Tests the judging of levels with synthetic pictures whose errors are known.
 
 #include "harness/stress/level_judge.h"
 
@@ -13,7 +13,7 @@
 namespace photonproof::inline harness_stress {
 namespace {
 
-/// 24 x 24 pixels of `mean`, each with a deviation of 1 %, up and down in turn so that the mean of all is exact.
+/// 24 x 24 pixels of `mean`, each with a deviation of 1 %, alternately up and down so that the mean of all is exact.
 Rendering noisy(float mean, float deviation = 0.01f) {
   Rendering rendering;
   rendering.mean = Image(24, 24);
@@ -46,7 +46,7 @@ TEST(levels, with_the_picture_they_should_have_are_right) {
   const LevelVerdict verdict = judge_level(showing(noisy(1)), exactly(noisy(1)));
   EXPECT_EQ(verdict.outcome, LevelOutcome::right) << verdict.sentence;
   ASSERT_TRUE(verdict.would_see);
-  EXPECT_LT(*verdict.would_see, 0.01);  // 1.4 % over sqrt(576) pixels is 0.06 %, some six of which are seen
+  EXPECT_LT(*verdict.would_see, 0.01);  // 1.4 % over sqrt(576) pixels is 0.06 %; some six of these are detectable
 }
 
 TEST(levels, are_compared_after_their_factor) {
@@ -58,10 +58,10 @@ TEST(levels, off_by_more_than_noise_are_silently_wrong_or_said) {
   LevelEvidence evidence = showing(noisy(1.02f));
   EXPECT_EQ(judge_level(evidence, exactly(noisy(1))).outcome, LevelOutcome::silently_wrong);
   evidence.losses = {"scene.xml:1:1: alpha 0 is rendered as 0.1"};
-  const LevelVerdict said = judge_level(evidence, exactly(noisy(1)));
-  EXPECT_EQ(said.outcome, LevelOutcome::degraded);
-  EXPECT_TRUE(said.is_wrong);
-  EXPECT_NE(said.sentence.find("alpha 0"), std::string::npos) << said.sentence;
+  const LevelVerdict verdict = judge_level(evidence, exactly(noisy(1)));
+  EXPECT_EQ(verdict.outcome, LevelOutcome::degraded);
+  EXPECT_TRUE(verdict.is_wrong);
+  EXPECT_NE(verdict.sentence.find("alpha 0"), std::string::npos) << verdict.sentence;
 }
 
 TEST(levels, that_are_biased_by_nature_may_be_off_by_three_percent) {
@@ -76,7 +76,8 @@ TEST(levels, that_are_right_need_no_claim_of_a_bias_as_an_excuse) {
   expected.is_exact = false;
   LevelEvidence right = showing(noisy(1)), wrong = showing(noisy(1.2f));
   EXPECT_EQ(judge_level(wrong, expected).outcome, LevelOutcome::silently_wrong);
-  right.relative_bias = wrong.relative_bias = 0.06;  // 4 of it and the 3 % are more than a level may miss
+  right.relative_bias = wrong.relative_bias = 0.06;  // four times this plus 3 % exceeds the largest error that a level
+                                                     // may miss
   EXPECT_EQ(judge_level(right, expected).outcome, LevelOutcome::right);
   EXPECT_LT(*judge_level(right, expected).would_see, level_power);
   EXPECT_EQ(judge_level(wrong, expected).outcome, LevelOutcome::undecided);
@@ -106,7 +107,7 @@ TEST(levels, of_faint_light_have_their_variance_as_long_as_a_float_holds_it) {
 }
 
 TEST(levels, whose_pixels_vary_together_are_judged_by_the_error_of_the_mean) {
-  // The mean of independent pixels would be off by 1.4 %, over sqrt(576), at most some four times: by 0.24 %.
+  // The mean of independent pixels would be off by 1.4 % over sqrt(576), at most some four times that: by 0.24 %.
   Rendering picture = noisy(1.0028e5f);
   EXPECT_EQ(judge_level(showing(picture), exactly(noisy(1), 1e5)).outcome, LevelOutcome::silently_wrong);
   store_mean_error(picture, {{200, 200, 200}, 30});
@@ -118,8 +119,8 @@ TEST(levels, of_engines_that_tell_no_variance_are_judged_by_their_means) {
   evidence.picture->variance.reset();
   LevelExpectation expected = exactly(noisy(1));
   expected.is_exact = false;
-  EXPECT_EQ(judge_level(evidence, expected).outcome, LevelOutcome::silently_wrong);  // ours has one
-  evidence.tells_noise = false;
+  EXPECT_EQ(judge_level(evidence, expected).outcome, LevelOutcome::silently_wrong);  // our engines have one
+  evidence.states_noise = false;
   EXPECT_EQ(judge_level(evidence, expected).outcome, LevelOutcome::right);
   expected.picture->variance.reset();
   EXPECT_EQ(judge_level(evidence, expected).outcome, LevelOutcome::right);
@@ -133,7 +134,7 @@ TEST(levels, whose_pixels_err_together_may_be_off_by_that) {
   LevelExpectation expected = exactly(noisy(1));
   expected.is_exact = false;
   EXPECT_EQ(judge_level(evidence, expected).outcome, LevelOutcome::silently_wrong);
-  store_mean_error(*evidence.picture, {{0.01, 0.01, 0.01}, 8});  // 4.5 of it, and the 3 % of a photon mapper
+  store_mean_error(*evidence.picture, {{0.01, 0.01, 0.01}, 8});  // 4.5 of these, and the 3 % of a photon mapper
   EXPECT_EQ(judge_level(evidence, expected).outcome, LevelOutcome::undecided);
   store_mean_error(*evidence.picture, {{0.0075, 0.0075, 0.0075}, 8});
   EXPECT_EQ(judge_level(evidence, expected).outcome, LevelOutcome::right);
@@ -142,8 +143,8 @@ TEST(levels, whose_pixels_err_together_may_be_off_by_that) {
   EXPECT_EQ(judge_level(evidence, expected).outcome, LevelOutcome::silently_wrong);
 }
 
-/// A row of 200 blocks of 8 x 8 pixels about 1, each pixel with a deviation of 10 %, and all of a block off by as much
-/// or by `off`.
+/// A row of 200 blocks of 8 x 8 pixels about 1. Each pixel has a deviation of 10 %, and each block as a whole deviates
+/// by as much or by `off`.
 Rendering of_common_errors(float off = 0.1f) {
   Rendering rendering;
   rendering.mean = Image(1600, 8);
@@ -171,7 +172,7 @@ TEST(levels, whose_blocks_err_as_a_whole_are_judged_by_how_blocks_do) {
   for (int y = 0; y < 8; ++y)
     for (int x = 800; x < 808; ++x) picture.mean.pixel(x, y)[0] = 4;
   EXPECT_EQ(judge_level(showing(picture), one).outcome, LevelOutcome::silently_wrong);
-  // Blocks that are off by more than their pixels' noise are wrong however many are.
+  // Blocks that deviate by more than their pixels' noise are wrong, however many do.
   EXPECT_EQ(judge_level(showing(of_common_errors(0.6f)), one).outcome, LevelOutcome::silently_wrong);
 }
 
@@ -189,7 +190,7 @@ TEST(levels, know_whose_noise_hides_an_error) {
     spike.variance->rgb.front() = 1e3f;  // rare and bright
     EXPECT_NEAR(judge_level(showing(spike), expected).share_of_expected, 0.9, 1e-3);
   }
-  // Means, of pixels that err together: 0.01^2 of 0.01^2 + 0.02^2.
+  // Means of pixels that err together: 0.01^2 of 0.01^2 + 0.02^2.
   LevelEvidence evidence = showing(noisy(1));
   store_mean_error(*evidence.picture, {{0.02, 0.02, 0.02}, 8});
   store_mean_error(*expected.picture, {{0.01, 0.01, 0.01}, 8});

@@ -19,8 +19,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A render has so long, in seconds; one that takes longer hangs. (A closed room of albedo 0.9999 takes bdpt 170 on an
-/// idle machine.)
+/// The time limit of a render in seconds; a longer one counts as hanging. (bdpt takes 170 s for a closed room of albedo
+/// 0.9999 on an idle machine.)
 constexpr double render_limit = 600;
 
 std::string scene_text(const StressScene& scene) {
@@ -31,7 +31,7 @@ std::string scene_text(const StressScene& scene) {
   return text.replace(at, scene.replaced.size(), scene.replacement);
 }
 
-/// What the program says names the scene's file, not the folder it lay in for a while.
+/// Shortens the program's messages to the scene's file name: its folder is temporary.
 void leave_out(const fs::path& folder, std::string& text) {
   const std::string path = folder.string() + "/";
   for (std::size_t at = 0; (at = text.find(path)) != std::string::npos;) text.erase(at, path.size());
@@ -100,7 +100,7 @@ LevelEvidence StressRunner::render(const StressScene& scene, const StressRender&
   leave_out(scratch.path(), evidence.message);
   evidence.refused = outcome.end == ProcessOutcome::End::exited && !evidence.message.empty() &&
                      (outcome.exit_code == 2 || (!is_own && outcome.exit_code > 0));
-  evidence.tells_noise = is_own;
+  evidence.states_noise = is_own;
   const bool has_ended = outcome.end == ProcessOutcome::End::exited && outcome.exit_code <= 1;
   if (has_ended && fs::exists(out)) evidence.picture = read_rendering(out.string());
   EngineStats stats = read_engine_stats(scratch.path() / "image.stats.json");

@@ -1,4 +1,4 @@
-// One render of a sweep as a process, and what it is compared with, which many levels share.
+// One render of a sweep as a process, and the picture that it is compared with, which many levels share.
 #pragma once
 
 #include <atomic>
@@ -16,36 +16,36 @@
 namespace photonproof::inline harness_stress {
 
 struct StressRender {
-  std::string engine = "path";  ///< an integrator, or one of the others
+  std::string engine = "path";  ///< An integrator, or one of the other engines.
   int spp = 64;
   std::uint64_t seed = 1;
 };
 
-/// Thrown when Ctrl-C ended a render: what it was for is not known.
+/// Thrown when Ctrl-C ends a render: its result is unknown.
 struct StressInterrupted {};
 
-/// Thrown where what a level is compared with ended in no picture and no error: `ending` is how.
+/// Thrown where the render of a reference gives neither a picture nor an error; `ending` is the end of its process.
 struct ReferenceCrashed {
   std::string ending;
 };
 
 class StressRunner {
  public:
-  /// References are kept in `folder`/references, by all they follow from; scenes for `others`, which must lie where the
-  /// files are that they name, in `folder`/assets.
+  /// Keeps references in `folder`/references, by all their inputs. Scenes for `others` are in `folder`/assets, beside
+  /// the files that they name.
   StressRunner(std::filesystem::path program, std::filesystem::path folder, std::vector<Engine> others,
                const std::atomic<bool>* interrupt);
 
-  /// The row of an engine that is no integrator; null of one that is.
+  /// The row of an engine that is not an integrator; null for an integrator.
   const Engine* other(const std::string& engine) const;
 
   LevelEvidence render(const StressScene& scene, const StressRender& how) const;
   /// Another verb of the program. Throws StressInterrupted.
   ProcessOutcome run(std::vector<std::string> arguments) const;
-  /// The same as `render`, kept; throws InputError, with what the program says, where it is refused, else
+  /// Like `render`, but kept. Throws InputError with the program's message where it refuses the scene, else
   /// ReferenceCrashed where there is no picture.
   Rendering reference(const StressScene& scene, const StressRender& how);
-  /// All that a render follows from, as text.
+  /// All inputs of a render, as text.
   std::string identity(const StressScene& scene, const StressRender& how) const;
   const std::string& checksum() const { return checksum_; }
 

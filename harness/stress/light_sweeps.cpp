@@ -18,8 +18,8 @@ double power(double k) { return std::pow(10.0, k); }
 const Vec3d above{1, 5, -1};
 constexpr double intensity = 20;
 
-/// Straight down: what a flat light's cosine makes of its light differs from a point's, so that only balls are compared
-/// with one; the others with themselves, a thousandth as large as they are far.
+/// The light faces straight down. A flat light's cosine makes it differ from a point light, so only balls are compared
+/// with one. The others are compared with themselves at a thousandth of their distance in size.
 Sweep tiny(const char* shape, const Geometry& geometry, double area, bool is_ball) {
   const auto area_light = [=](double k) {
     const double size = power(-k);
@@ -38,7 +38,7 @@ Sweep tiny(const char* shape, const Geometry& geometry, double area, bool is_bal
 const Vec3d towards{0.36, 0.8, -0.48};
 constexpr double irradiance = 2;
 
-/// 10^k away, a hundredth as large as it is far: the beam of a light without end.
+/// A light at distance 10^k, a hundredth as large: its beam is that of an infinitely far light.
 Sweep far(const char* shape, const Geometry& geometry, double area) {
   const auto area_light = [=](double k) {
     const double size = 0.003 * power(k);
@@ -72,7 +72,7 @@ std::vector<Sweep> point_lights() {
     spot.cutoff_degrees = 10;
     return StressScene{stress_scene_under(spot)};
   };
-  // The light at the height 10^-k sin a; cosine over square of the distance stay.
+  // The light is at the height 10^-k sin a; cosine over squared distance stays the same.
   const auto grazing = [](double k) {
     SceneDescription scene = stress_scene_floor();
     const double sine = power(-k);
@@ -83,8 +83,8 @@ std::vector<Sweep> point_lights() {
   Sweep flat{"light directional",          "grazing", "at a sine of 10^-k above the floor",
              {1, 2, 3, 4, 5, 6, 7, 9, 12}, 6,         grazing};
   flat.radiance = irradiance * 0.5 / pi;
-  // Along no axis rounding of directions is 1e-7 of the sine. What that makes of 10^-3 is too little to be said, but
-  // engines without noise here would be found out by it.
+  // Off the axes, rounding of directions is 1e-7 of the sine. Its effect at 10^-3 is too small for a warning, but
+  // engines without noise here would show it.
   Sweep tilted = turned(flat);
   std::erase(tilted.heights, 3);
   tilted.wanted = 2;
@@ -97,7 +97,7 @@ std::vector<Sweep> point_lights() {
 
 const std::vector<std::string> with_light_paths{"path", "bdpt", "ptracer"};
 
-/// The floor under a spot light 2 above it, seen as far as its light reaches: a narrow beam looks like a wide one.
+/// The floor under a spot light 2 above it, seen as far as its light reaches: narrow and wide beams look the same.
 StressScene beam_on_the_floor(double cutoff_degrees) {
   SceneDescription scene = stress_scene_floor();
   SpotLightDescription spot;
@@ -105,7 +105,7 @@ StressScene beam_on_the_floor(double cutoff_degrees) {
   spot.beam_degrees = 0.5 * cutoff_degrees;
   spot.cutoff_degrees = cutoff_degrees;
   scene.emitters.push_back({{}, "", spot});
-  // A second one, turned away: of two, each is chosen by its flux, which must not be none.
+  // A second light faces away: with two lights, each is chosen by its flux, which must not be 0.
   spot.to_world = Transform::look_at({0, 2, 0}, {0, 4, 0}, {0, 0, 1});
   scene.emitters.push_back({{}, "", spot});
   scene.sensor.camera = OrthographicDescription{};
@@ -154,7 +154,7 @@ std::vector<Sweep> angles_of_light() {
               [=](double k) { return sun(power(-k)); },
               [=](double) { return sun(0.1); }};
   for (Sweep* sweep : {&narrow, &wide, &small}) sweep->engines = with_light_paths;
-  // Along no axis directions are known to 10^-7.
+  // Off the axes, directions are accurate to 10^-7.
   Sweep tilted = turned(narrow);
   tilted.heights = {2, 3, 4, 5, 6};
   tilted.wanted = 4;
@@ -162,7 +162,7 @@ std::vector<Sweep> angles_of_light() {
   return {narrow, tilted, wide, small};
 }
 
-/// A disk or square of half width 10^k above floor and camera: of 10^4 it is all but 1e-6 of the upper half of a sky.
+/// A disk or square of half width 10^k above floor and camera: at 10^4 it covers the upper half of a sky up to 1e-6.
 StressScene under_plate(const Geometry& geometry, double k) {
   return {stress_scene_under_shape(geometry, hanging({0, 12, 0}, power(k)), 1)};
 }
@@ -172,7 +172,7 @@ Sweep huge_plate(const char* shape, const Geometry& geometry) {
           [=](double) { return area_light(4); }};
 }
 
-/// A ball of radius 10^k whose nearest point is 12 above the floor: of 10^7 it is all but 1e-5 of such a plate. A sky
+/// A ball of radius 10^k whose nearest point is 12 above the floor: at 10^7 it equals such a plate up to 1e-5. A sky
 /// would light the ball on the floor from below the horizon, too.
 Sweep huge_ball() {
   return {
@@ -187,7 +187,7 @@ Sweep huge_ball() {
       [](double) { return under_plate(DiskDescription{}, 4); }};
 }
 
-/// The floor's far side alone, 6 to 10 away from what is at x = -7.
+/// Only the floor's far side, 6 to 10 away from a light at x = -7.
 SceneDescription floor_from_aside() {
   SceneDescription scene = stress_scene_floor();
   scene.sensor.to_world = Transform::look_at({0, 7, 5}, {0, 0, 0}, {0, 1, 0});
@@ -197,7 +197,7 @@ SceneDescription floor_from_aside() {
 
 constexpr double aside = -7;
 
-/// A light 10^-k above the floor, of this intensity along it: at a distance r it gives I 10^-k / r^3.
+/// A light 10^-k above the floor, of intensity I along it: at a distance r it gives I 10^-k / r^3.
 std::vector<Sweep> near_the_floor() {
   const double along = 200;
   const auto place = [](double k) { return Vec3d{aside, power(-k), 0}; };
@@ -216,7 +216,7 @@ std::vector<Sweep> near_the_floor() {
     scene.emitters.push_back({{}, "", light});
     return StressScene{scene};
   };
-  // A tenth as large as it is high: `facing` along the floor, where an area A of radiance L has the intensity A L.
+  // The light's size is a tenth of its height. It faces along the floor; area A and radiance L give the intensity A L.
   const auto shaped = [=](const Geometry& geometry, double area, bool is_ball) {
     return [=](double k) {
       SceneDescription scene = floor_from_aside();
@@ -240,7 +240,7 @@ std::vector<Sweep> near_the_floor() {
                       level,
                       [=](double) { return other(3); }});
     sweeps.back().engines = {"path", "photonmapper", "bdpt", "volpath"};
-    // Along no axis a height is what single precision leaves of coordinates near 7.
+    // Off the axes, single precision limits a height at coordinates near 7.
     Sweep tilted = turned(sweeps.back());
     tilted.heights.insert(tilted.heights.begin(), 3);
     tilted.wanted = 3;
@@ -256,7 +256,7 @@ std::vector<Sweep> near_the_floor() {
   return sweeps;
 }
 
-/// What camera paths may lose: the bright spot beside a light, and a light that all but lies in a surface.
+/// Light that camera paths may lose: the bright spot beside a light, and a light that nearly lies in a surface.
 std::vector<Sweep> lights_on_surfaces_of_rooms() {
   const auto in_a_ball = [](double k) {
     SceneDescription scene = closed_sphere(0, 0.5);
@@ -288,7 +288,7 @@ std::vector<Sweep> lights_on_surfaces_of_rooms() {
   return {spot, panel};
 }
 
-/// What an environment's file holds, 10^k in it and 10^-k as its scale.
+/// An environment whose file holds 10^k times the values, scaled by 10^-k.
 std::vector<Sweep> bright_and_dim_files(const std::filesystem::path& assets) {
   SceneDescription base;
   for (const NamedScene& named : scenes_of_features(assets))

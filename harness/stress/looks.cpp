@@ -9,9 +9,9 @@ namespace {
 
 constexpr int looks_at_noise = 3;
 constexpr int most_times = 8, next_times = 4, expected_times = 4;
-constexpr double reach = 2;  // of the square of the noise
+constexpr double reach = 2;  // factor on the square of the noise
 
-/// What hides an error is `of_look` and `of_expected` together, squares of relative errors; `quiet` may be left.
+/// The noise that hides an error is `of_look` + `of_expected`, squares of relative errors; `quiet` is the limit for it.
 std::optional<LevelLook> look_at_noise(double of_look, double of_expected, double quiet, const LevelLook& last,
                                        double most_samples) {
   const auto may_have = [&](int times) {

@@ -7,7 +7,7 @@ namespace {
 
 using enum LevelOutcome;
 
-/// Of what is right as far as it can be seen.
+/// The verdict of a level that is right as far as its noise shows.
 LevelVerdict verdict(LevelOutcome outcome, double would_see, double allowed = 0, double share_of_expected = 0) {
   LevelVerdict verdict;
   verdict.outcome = outcome;
@@ -19,7 +19,7 @@ LevelVerdict verdict(LevelOutcome outcome, double would_see, double allowed = 0,
 
 constexpr double most = 16384;
 
-/// The next look; of 0 samples where there is none.
+/// The next look, with 0 samples where there is none.
 LevelLook after(const LevelVerdict& verdict, const LevelLook& last) {
   const LevelLook look = next_look(verdict, last, most).value_or(LevelLook{0, 0, 0});
   EXPECT_TRUE(look.samples == 0 || look.number == last.number + 1);
@@ -38,7 +38,7 @@ TEST(looks, at_what_seems_wrong_are_two) {
       wrong.is_wrong = true;
       EXPECT_EQ(samples_after(wrong, {1, 64}), 256);
       EXPECT_EQ(samples_after(wrong, {2, 256}), 0);
-      EXPECT_EQ(next_look(wrong, {1, 64}, 200)->samples, 64);  // of a picture so large that 256 are too many
+      EXPECT_EQ(next_look(wrong, {1, 64}, 200)->samples, 64);  // for a picture so large that 256 are too many
     }
 }
 
@@ -51,22 +51,22 @@ TEST(looks, of_which_noise_is_not_known_are_two) {
 
 TEST(looks, have_the_samples_that_noise_needs) {
   for (const LevelOutcome outcome : {degraded, undecided}) {
-    // Twice as many as 64 where noise is to fall by the root of two, from 0.14 to 0.1; eight times at most.
+    // Twice 64 samples lower the noise by the root of two, from 0.14 to 0.1; eight times at most.
     EXPECT_EQ(samples_after(verdict(outcome, 0.14), {1, 64}), 128);
     EXPECT_EQ(samples_after(verdict(outcome, 0.15), {1, 64}), 256);
     EXPECT_EQ(samples_after(verdict(outcome, 0.9), {1, 64}), 512);
     EXPECT_EQ(samples_after(verdict(outcome, 0.19), {2, 256}), 1024);
-    // What the means may be off by anyway is not noise: 0.17 of 0.2 is to be 0.07.
+    // The allowed error of the means is not noise: 0.17 of 0.2 must fall to 0.07.
     EXPECT_EQ(samples_after(verdict(outcome, 0.2, 0.03), {2, 256}), 2048);
     EXPECT_EQ(samples_after(verdict(outcome, 0.16, 0.03), {2, 256}), 1024);
   }
 }
 
 TEST(looks, leave_out_the_noise_of_what_is_expected) {
-  // Of 0.0169, to be 0.01, the look's part is 0.01352, and 0.00662 is left for it: 523 samples.
+  // The square 0.0169 must fall to 0.01. The look's part of it is 0.01352; 0.00662 is left for it: 523 samples.
   EXPECT_EQ(samples_after(verdict(undecided, 0.13, 0, 0.2), {2, 256, 512}), 1024);
   EXPECT_EQ(after(verdict(undecided, 0.13, 0, 0.2), {2, 256, 512}).expected_from, 512);
-  // Half of 0.01 is too much: it becomes a quarter of what it was.
+  // Half of 0.01 is too much for the expected picture: its part falls to a quarter.
   EXPECT_EQ(after(verdict(undecided, 0.12, 0, 0.4), {2, 256, 512}).expected_from, 2048);
   EXPECT_EQ(after(verdict(undecided, 0.6, 0, 0.9), {2, 256, 512}).expected_from, 2048);
   // All noise is the expected picture's.

@@ -25,7 +25,7 @@ Glass with_ior(double ior) {
   return glass;
 }
 
-/// Glass of 1 + 10^-k is not seen.
+/// Glass of ior 1 + 10^-k is invisible.
 Sweep ior_near_one(const char* feature, const std::function<BsdfModel(double)>& model) {
   Sweep sweep{feature, "ior near 1", "an ior of 1 + 10^-k", {4, 5, 6, 7, 8, 9, 12, 20}, 12, stage_of(model)};
   sweep.alike = [](double) {
@@ -105,7 +105,7 @@ std::vector<Sweep> coats() {
   return sweeps;
 }
 
-/// A floor that is there, or black, by a share of 10^-k.
+/// A floor that is opaque, or black, by a share of 10^-k.
 std::vector<Sweep> shares() {
   const auto floor_of = [](const auto& model_of) {
     return [=](double k) {
@@ -135,7 +135,7 @@ std::vector<Sweep> shares() {
   return sweeps;
 }
 
-/// Slopes so steep that they are walls, and so flat that they do not show.
+/// Slopes so steep that they are walls, and so flat that they are invisible.
 std::vector<Sweep> bumps(const std::filesystem::path& assets) {
   SceneDescription base;
   for (const NamedScene& named : scenes_of_features(assets))
@@ -193,7 +193,7 @@ std::vector<Sweep> roughness() {
           phong};
 }
 
-/// A ball of it in a sky of radiance 1.
+/// A ball of this medium in a sky of radiance 1.
 SceneDescription ball_of(const HomogeneousDescription& medium) {
   SceneDescription scene = ball_in_uniform_sky(NullDescription{});
   scene.media.push_back({{}, "fog", medium});
@@ -220,14 +220,14 @@ std::vector<Sweep> albedos() {
             [](double k) {
               return StressScene{ball_of({RgbD(ten(k) / 2), RgbD(1.0), 1, {}}), 10, 10};
             }};
-  // Of depth 4 through the middle, where paths scatter a few times: 10^-k of that is lost at most.
+  // The optical depth is 4 through the middle, where paths scatter a few times: at most some 10^-k is lost.
   Sweep pale{
       "medium homogeneous", "albedo to 1", "an albedo of 1 - 10^-k", {3, 4, 5, 6, 7, 9, 12, 16}, 16, [](double k) {
         return StressScene{ball_of({RgbD(2), RgbD(1 - ten(-k)), 1, {}}), 16, 16};
       }};
   for (Sweep* sweep : {&fog, &pale}) sweep->radiance = 1;
   fog.takes_long = true;
-  // What is scattered straight on is as good as not scattered.
+  // Light that scatters straight on behaves like unscattered light.
   const auto ball = [](double sigma_t, double albedo, double g) {
     SceneDescription scene = ball_of({RgbD(sigma_t), RgbD(albedo), 1, HenyeyGreensteinDescription{g}});
     scene.emitters.push_back({{}, "", DirectionalLightDescription{{0.3, -1, 0.2}, RgbD(1)}});

@@ -1,5 +1,5 @@
-// Metrics of images whose errors are known: in closed form, summed here in double and by itself, or since nothing that
-// a metric heeds has changed.
+// Metrics of images whose errors are known: in closed form, by an independent sum here in double, or since nothing that
+// a metric uses has changed.
 
 #include <algorithm>
 #include <cmath>
@@ -22,7 +22,7 @@ struct Pair {
 
 double tenth(double k) { return std::pow(10.0, k); }
 
-/// 24 x 16 pixels between 0.2 and 1, and the same off by up to 10 %, without symmetry.
+/// 24 x 16 pixels between 0.2 and 1, and the same with errors of up to 10 %, without symmetry.
 Pair off_by_a_tenth(double factor = 1) {
   Pair pair{Image(24, 16), Image(24, 16)};
   for (int y = 0; y < 16; ++y)
@@ -51,7 +51,7 @@ double mean_over(const Pair& pair, const Of& of) {
   return sum / static_cast<double>(pair.test.rgb.size());
 }
 
-/// By the README's definitions.
+/// Metrics by the definitions of docs/metrics.md.
 std::vector<KnownMetric> linear_metrics(const Pair& pair) {
   const double mse = mean_over(pair, [](double x, double r) { return (x - r) * (x - r); });
   const auto relative = [&](double epsilon) {
@@ -104,7 +104,7 @@ Sweep linear(const char* sweep_run, const char* measure, const std::vector<doubl
   });
 }
 
-/// A value that is none in the test's last pixel, or the reference's.
+/// A value that is not a number in the last pixel of the test image, or of the reference.
 Sweep no_numbers_in_images() {
   Sweep sweep =
       metric_sweep("no number", "k-th of nan, inf, -inf in the test, then in the reference", {0, 1, 2, 3, 4, 5}, -1,
@@ -127,7 +127,7 @@ double encoded(double linear_value) {
   return v <= 0.0031308 ? 12.92 * v : 1.055 * std::pow(v, 1 / 2.4) - 0.055;
 }
 
-/// Of two grey images: one window is like another.
+/// Metrics of two grey images, in which all windows are alike.
 std::vector<KnownMetric> flat_display_metrics(const Pair& pair) {
   const double r = encoded(double{pair.reference.rgb[0]}), x = encoded(double{pair.test.rgb[0]});
   std::optional<double> psnr, ssim;
@@ -155,7 +155,7 @@ std::vector<Sweep> sizes_of_images() {
       sweep_run("long", "k x 12 pixels", sides, 30000, [](int n) { return std::pair(n, 12); })};
 }
 
-/// Images times 2^k, exposures k stops lower: on the display nothing has changed.
+/// Images times 2^k, exposures k stops lower: nothing changes on the display.
 Sweep exposed() {
   return metric_sweep("brighter, exposed less", "images times 2^k, k stops less", {-64, -40, -10, 10, 40, 64}, 64,
                       [](double k, const StressRunner& runner) {
@@ -165,7 +165,7 @@ Sweep exposed() {
                         const Pair plain = off_by_a_tenth();
                         write_exr(r.string(), {plain.reference, {}, {}});
                         write_exr(t.string(), {plain.test, {}, {}});
-                        return compare_pair(runner, off_by_a_tenth(std::exp2(k)), metrics_said_of(runner, r, t, names),
+                        return compare_pair(runner, off_by_a_tenth(std::exp2(k)), printed_metrics(runner, r, t, names),
                                             {"--exposure", std::to_string(static_cast<int>(-k))});
                       });
 }

@@ -1,4 +1,4 @@
-// Every fault of numbers breaks the climbs that it has to and no other of those that the faults are told apart by.
+// Every fault of numbers breaks exactly its own ones of the sweeps that tell the faults apart.
 
 #include <gtest/gtest.h>
 
@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// By which faults are told apart: feature and climb, as path climbs it but where a line says otherwise.
+/// The sweeps that tell faults apart: feature and sweep, by path unless a line names another engine.
 const std::vector<std::string> sweep_runs{
     "shape sphere, scale up",        "shape sphere, scale down",          "shape sphere, translation",
     "shape sphere, as a huge floor", "shape cylinder, as a huge floor",   "coincident faces, glass in glass",
@@ -34,7 +34,7 @@ void PrintTo(const FaultAndSweepRuns& fault, std::ostream* out) { *out << fault.
 
 class NumericFaults : public ::testing::TestWithParam<FaultAndSweepRuns> {
  protected:
-  /// The program with this fault, as a command of its own, so that nothing kept of another counts.
+  /// The program with this fault, as a command of its own, so that no kept result of another counts.
   fs::path program_with(const FaultAndSweepRuns& fault) const {
     const fs::path file = folder_.path() / "faulty.sh";
     std::string text =

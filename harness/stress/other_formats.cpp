@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// `bytes` bytes of n, in either order.
+/// The low `bytes` bytes of n, in either order.
 std::string number(std::uint64_t n, int bytes, bool big_endian) {
   std::string text;
   for (int i = 0; i < bytes; ++i) text += static_cast<char>(n >> (8 * i));
@@ -63,7 +63,7 @@ std::string stored_by_zlib(const std::string& text) {
   return out + number(adler_of(text), 4, true);
 }
 
-/// Tag, type, count and value or place of it.
+/// Tag, type, count, and the value or its offset.
 struct TiffEntry {
   int tag, type;
   std::uint64_t count, value;

@@ -1,5 +1,5 @@
-// Images in formats that our own code does not write, byte by byte, so that what reads them is compared with the
-// formats' definitions alone.
+// Images in formats that our own code does not write, byte by byte. The readers are thus compared with the formats'
+// definitions only.
 #pragma once
 
 #include <filesystem>
@@ -19,10 +19,10 @@ void write_png_of_words(const std::filesystem::path& file, const Image& image);
 
 /// TIFF 6.0 in one strip, not compressed: 16 bits a channel, sRGB, clamped to [0, 1], the more significant byte first.
 void write_tiff_of_words(const std::filesystem::path& file, const Image& image);
-/// The same of 32-bit floats, the less significant byte first.
+/// The same with 32-bit floats, the less significant byte first.
 void write_tiff_of_floats(const std::filesystem::path& file, const Image& image);
 
-/// What 16 bits of sRGB (IEC 61966-2-1) keep of a linear value.
+/// The value that 16 bits of sRGB (IEC 61966-2-1) keep of a linear value.
 float as_srgb_word(float value);
 
 }  // namespace photonproof::inline harness_stress

@@ -8,7 +8,7 @@ namespace {
 
 double tens(double k) { return std::pow(10.0, k); }
 
-/// Light by glass and light between walls: both maps have something to hold.
+/// Light through glass and light between walls: both maps hold photons.
 SceneDescription with_glass() { return stress_scene_with_bsdf(DielectricDescription{}); }
 
 /// Every photon leaves the scene; the floor has no light.
@@ -27,7 +27,7 @@ Sweep photons(const char* feature, const char* sweep_run, const char* measure, c
   return sweep;
 }
 
-/// 0: left to the renderer.
+/// A radius of 0 is left to the renderer.
 StressScene of_radii(double global, double caustic, const std::string& indirect) {
   SceneDescription scene = with_glass();
   PhotonMapperDescription method;
@@ -36,7 +36,7 @@ StressScene of_radii(double global, double caustic, const std::string& indirect)
   scene.integrator.method = method;
   StressScene level{scene};
   level.unlike_path = {"--indirect", indirect};
-  // All photons are in every disc of a large radius, and a cache looks them up from hundreds of thousands of places.
+  // All photons are in every disc of a large radius, and a cache gathers them at hundreds of thousands of places.
   if (indirect == "cache") level.unlike_path.insert(level.unlike_path.end(), {"--photons", "30000"});
   return level;
 }

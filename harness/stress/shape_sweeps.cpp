@@ -11,7 +11,7 @@ namespace fs = std::filesystem;
 
 StressScene lit(double) { return {lit_stress_scene()}; }
 
-/// The floor is this shape, so large that what is seen of it is flat.
+/// The floor is this shape, so large that its visible part is flat.
 StressScene with_floor(const Geometry& geometry, const Transform& to_world) {
   SceneDescription scene = lit_stress_scene();
   scene.shapes[0].geometry = geometry;
@@ -28,7 +28,7 @@ Sweep huge_floor(const char* shape, const std::function<StressScene(double)>& le
   return sweep;
 }
 
-/// [-8,8]^2 in y = 0 in `count` strips of which the middle one is 10^-k wide.
+/// [-8,8]^2 in y = 0 in `count` strips; the middle one is 10^-k wide.
 TriangleMesh floor_with_sliver(double k) {
   const float half = static_cast<float>(0.5 * ten_to(-k));
   return mesh_of(
@@ -36,7 +36,7 @@ TriangleMesh floor_with_sliver(double k) {
       {{0, 1, 4}, {1, 5, 4}, {1, 2, 5}, {2, 6, 5}, {2, 3, 6}, {3, 7, 6}});
 }
 
-/// The floor as a fan of n triangles about a corner of its own: needles, the thinner the more.
+/// The floor as a fan of n triangles about one of its corners: thinner needles for larger n.
 TriangleMesh fan_floor(int n) {
   std::vector<Vec3f> positions{{-8, 0, 8}};
   std::vector<TriangleMesh::Triangle> triangles;
@@ -90,7 +90,7 @@ std::vector<Sweep> huge_floors(const fs::path& assets) {
           6)};
 }
 
-/// Something that does not show, and so must not matter.
+/// An invisible object, which must not matter.
 std::vector<Sweep> bystanders() {
   const auto beside = [](const Geometry& geometry, const std::function<Transform(double)>& place) {
     return [=](double k) {
@@ -200,7 +200,7 @@ TriangleMesh box_mesh() {
                   {1, 7, 5}});
 }
 
-/// The top of a box 10 wide and 10^k high under a sky: long sides end where one looks.
+/// The top of a box 10 wide and 10^k high under a sky: the visible edges end long sides.
 std::vector<Sweep> towers(const fs::path& assets) {
   std::vector<Sweep> sweeps;
   for (const auto& [name, geometry] :
@@ -222,7 +222,7 @@ std::vector<Sweep> towers(const fs::path& assets) {
     tower.engines = {"path", "photonmapper", "bdpt"};
     sweeps.push_back(tower);
     sweeps.push_back(turned(tower));
-    sweeps.back().wanted = 7;  // beyond, turning a box so long flattens it in double precision
+    sweeps.back().wanted = 7;  // beyond, rotating so long a box flattens it in double precision
   }
   return sweeps;
 }
@@ -273,7 +273,7 @@ Sweep many_copies(const fs::path& assets) {
           lit};
 }
 
-/// Balls of glass that touch but for 10^-k, and one that is a shell as thin as that.
+/// Balls of glass that touch up to a gap of 10^-k, and a shell that is as thin.
 std::vector<Sweep> touching_and_thin_glass() {
   const std::vector<double> heights{1, 2, 3, 4, 5, 6, 7, 9, 99};
   const auto thin = [](double k) { return k == 99 ? 0 : ten_to(-k); };
@@ -310,7 +310,7 @@ std::vector<Sweep> near_faces() {
     add_shape(scene, RectangleDescription{}, lying({0, -gap(k), 0}, 8), {0});
     return StressScene{scene};
   };
-  // Seen from below is a closed box without thickness to speak of; the light is above it, and nothing else shines.
+  // Seen from below: a closed box of nearly no thickness; the only light is above it.
   const auto shell = [](const Geometry& geometry) {
     return [=](double k) {
       SceneDescription scene = lit_stress_scene();
@@ -323,7 +323,7 @@ std::vector<Sweep> near_faces() {
   Sweep box{"coincident faces",      "a thin box, from its dark side", "10^-k thick", {2, 3, 4, 5, 6, 7, 9, 12}, 9,
             shell(CubeDescription{})};
   box.radiance = 0;
-  // Glass in glass, a gap of air 10^-k between.
+  // Glass in glass, with a gap of air of 10^-k between.
   const auto nested = [=](const Geometry& shape) {
     Sweep sweep{"coincident faces", "", "a gap of 10^-k", {1, 2, 3, 4, 5, 6, 7, 9}, 6, [=](double k) {
                   SceneDescription scene = ball_in_uniform_sky(DielectricDescription{});

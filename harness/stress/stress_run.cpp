@@ -25,10 +25,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Changes when judging does, so that levels are judged anew.
+/// Increase it whenever judging changes, so that levels are judged anew.
 constexpr const char* judging_version = "9";
-/// Camera samples of a look at most, and where a quick climb only tells at which level what is not right at its end
-/// begins.
+/// The most camera samples of a look. The second value is for a quick sweep that only finds the lowest level of a
+/// failure at its end.
 constexpr double samples_of_looks = 2e7, samples_of_short_looks = 1e6;
 
 /// One sweep and one engine.
@@ -39,7 +39,7 @@ struct SweepRun {
 
 bool is_unbiased(const std::string& engine) { return engine != "photonmapper" && engine != "sppm"; }
 
-/// What a picture shows where it is no number.
+/// The picture to show, with a substitute for values that are not numbers.
 Image shown(const Image& image, double factor) {
   Image out = image;
   for (std::size_t i = 0; i < out.rgb.size(); ++i) {
@@ -70,7 +70,7 @@ class SweepRunner {
           return out;
         }
       }
-      for (const double height : sweep.heights) {  // where it breaks is further down
+      for (const double height : sweep.heights) {  // it breaks at a lower level
         if (last && height > last->height) break;
         if (last && height == last->height)
           out.levels.push_back(*last);
@@ -95,7 +95,7 @@ class SweepRunner {
     return height;
   }
 
-  /// From so many samples a pixel.
+  /// The expectation, from this many samples a pixel.
   LevelExpectation expectation(const SweepRun& sweep_run, double height, int samples) {
     const Sweep& sweep = *sweep_run.sweep;
     LevelExpectation expected;
@@ -151,7 +151,7 @@ class SweepRunner {
     const fs::path kept = options_.folder / "rungs" / (key + ".json");
     if (fs::exists(kept))
       if (auto known = level_from_text(read_file(kept))) {
-        known->height = height;  // it may be another sweep's, whose level is the same
+        known->height = height;  // the level may be another sweep's with the same scene
         return *known;
       }
     const Timer timer;
@@ -220,7 +220,7 @@ std::vector<SweepRun> chosen(const StressOptions& options, const std::vector<Swe
       for (const std::string& engine : own)
         if (!options.quick || engine == own.front() || engine == "photonmapper") sweep_runs.push_back({&sweep, engine});
     for (const std::string& engine : options.engines) {
-      // One that no sweep names by itself climbs all that path does.
+      // An engine that no sweep names runs all sweeps of path.
       const bool is_other = engine != "compare" && std::find(stress_engines().begin(), stress_engines().end(),
                                                              engine) == stress_engines().end();
       if (sweeps_by_itself(engine) || (is_other && sweeps_by_itself("path"))) sweep_runs.push_back({&sweep, engine});
@@ -232,9 +232,9 @@ std::vector<SweepRun> chosen(const StressOptions& options, const std::vector<Swe
   return sweep_runs;
 }
 
-/// The order in which climbs are begun: neighbours, which are compared with the same picture, far apart, since of those
-/// that need it at the same time all but one would wait. Each is a golden section of all later than the one before, by
-/// which multiples of it are far apart, too.
+/// The order in which sweeps are started. Neighbours, which are compared with the same picture, are far apart: if they
+/// started together, all except one would wait for that picture. Successive sweeps are a golden section of all apart,
+/// which also keeps multiples of that step far apart.
 std::vector<std::size_t> order_of(const std::vector<SweepRun>& sweep_runs) {
   constexpr double golden = 0.618;
   const std::size_t count = sweep_runs.size();
@@ -258,7 +258,7 @@ void make_folders(const fs::path& folder) {
   for (const char* part : {"assets", "rungs", "references", "pictures"}) fs::create_directories(folder / part);
 }
 
-/// A record of another program is moved aside, never written over.
+/// Moves a record of another program aside, never overwriting it.
 void keep_earlier_record(const fs::path& file, const std::string& checksum) {
   if (!fs::exists(file)) return;
   std::string earlier = "unreadable";

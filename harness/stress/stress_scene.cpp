@@ -106,7 +106,7 @@ TriangleMesh mesh_of(const std::vector<Vec3f>& positions, const std::vector<Tria
 
 namespace {
 
-/// Sweeps of several engines, which are climbed at the same time, share meshes.
+/// Sweeps of several engines run at the same time and share meshes.
 void write_once(const std::filesystem::path& file, const TriangleMesh& mesh) {
   static std::mutex writing;
   static std::set<std::filesystem::path> written;

@@ -1,5 +1,5 @@
-// Small scenes that sweeps start from: a floor of albedo 0.5 in y = 0 with one thing on it, a square light above, and a
-// camera that sees the floor and nothing beyond it.
+// Small scenes that sweeps start from: a floor of albedo 0.5 in y = 0 with one thing on it, and a square light above.
+// The camera sees only the floor.
 #pragma once
 
 #include <filesystem>
@@ -20,7 +20,7 @@ BsdfIndex add_bsdf(SceneDescription& scene, const BsdfModel& model);
 ShapeDescription& add_shape(SceneDescription& scene, const Geometry& geometry, const Transform& to_world,
                             BsdfIndex bsdf);
 
-/// Of this roughness both ways, all else as it is by itself.
+/// A copy with `alpha` set in both directions; other parameters unchanged.
 template <class Rough>
 Rough of_roughness(double alpha) {
   Rough rough;
@@ -31,38 +31,38 @@ Rough of_roughness(double alpha) {
   return rough;
 }
 
-/// Unit shapes that lie in the xy plane, turned to face up, and placed so.
+/// A transform of unit shapes in the xy plane: turns them to face up, scales and places them.
 Transform lying(const Vec3d& at, double size);
 /// The same, facing down.
 Transform hanging(const Vec3d& at, double size);
 Transform standing(const Vec3d& at, double size);
 
-/// The camera alone: from (0, 7, 5) towards the origin, 32 degrees wide.
+/// Only the camera: from (0, 7, 5) towards the origin, 32 degrees wide.
 SceneDescription empty_stress_scene();
-/// With the floor, [-8,8]^2.
+/// Adds the floor, [-8,8]^2.
 SceneDescription stress_scene_floor();
-/// With the light, too: half edge 1, radiance 6, at (1, 5, -1).
+/// Adds the light, too: half edge 1, radiance 6, at (1, 5, -1).
 SceneDescription lit_stress_scene();
-/// With `model` on a ball of radius 1 that touches the floor; a checkerboard under it.
+/// Adds `model` on a ball of radius 1 that touches the floor; a checkerboard under it.
 SceneDescription stress_scene_with_bsdf(const BsdfModel& model);
 /// Floor and ball of radius 0.7, lit by `light` alone.
 SceneDescription stress_scene_under(const Light& light);
-/// Lit by a shape alone, which emits.
+/// Lit only by a shape that emits.
 SceneDescription stress_scene_under_shape(const Geometry& geometry, const Transform& to_world, double radiance);
 
 /// A closed sphere of radius 1 that emits e and reflects rho: e / (1 - rho) everywhere.
 SceneDescription closed_sphere(double emission, double albedo);
-/// A ball of radius 1 of this BSDF before a sky of radiance 1: where nothing is lost, 1 everywhere.
+/// A ball of radius 1 of this BSDF before a sky of radiance 1: without losses the radiance is 1 everywhere.
 SceneDescription ball_in_uniform_sky(const BsdfModel& model);
 
-/// A mesh as a file in `folder` and as the description that names it.
+/// Writes a mesh to a file in `folder` and returns a description that names it.
 MeshDescription mesh_file(const std::filesystem::path& folder, const std::string& name, TriangleMesh mesh);
-/// Corners and triangles of a mesh.
+/// A mesh of these corners and triangles.
 TriangleMesh mesh_of(const std::vector<Vec3f>& positions, const std::vector<TriangleMesh::Triangle>& triangles);
 
 /// A feature's name and its scene.
 using NamedScene = std::pair<std::string, SceneDescription>;
-/// A scene for every shape, BSDF, light, camera, texture, medium and way to look photons up.
+/// A scene for every shape, BSDF, light, camera, texture, medium and way to gather photons.
 std::vector<NamedScene> scenes_of_features(const std::filesystem::path& assets);
 
 }  // namespace photonproof::inline harness_stress

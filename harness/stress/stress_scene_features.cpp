@@ -18,7 +18,7 @@ MeshDescription pyramid(const fs::path& assets) {
                            {{0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}}));
 }
 
-/// 16 x 8 pixels between 0.2 and 1, as an EXR: colours that differ and no symmetry.
+/// 16 x 8 pixels between 0.2 and 1, as an EXR: different colours and no symmetry.
 std::string picture_file(const fs::path& assets) {
   Rendering picture;
   picture.mean = Image(16, 8);
@@ -87,7 +87,7 @@ void add_shapes(std::vector<NamedScene>& scenes, const fs::path& assets) {
   scenes.emplace_back("shape instance", instance);
 }
 
-/// Ones that are made of others stand on the ball as the last BSDF.
+/// BSDFs made of others stand on the ball as the last BSDF.
 SceneDescription stress_scene_with_wrapped(const BsdfModel& inner, const std::function<BsdfModel(BsdfIndex)>& wrap) {
   SceneDescription scene = stress_scene_with_bsdf(inner);
   const BsdfIndex own = scene.shapes.back().bsdf;

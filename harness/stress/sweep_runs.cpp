@@ -30,8 +30,8 @@ void scale_camera(SensorDescription& sensor, const Transform& scale, double by) 
     camera.near_clip *= by;
     camera.far_clip *= by;
   };
-  // What an orthographic camera sees is as large as its to_world says, and its near plane lies where that puts it; its
-  // far plane is a length of the world's. The others only turn and move.
+  // The orthographic camera's view scales with its to_world, which also places its near plane. Its far plane is a
+  // length in world units. The other cameras only turn and move.
   if (auto* camera = std::get_if<OrthographicDescription>(&sensor.camera)) {
     sensor.to_world = scale * sensor.to_world;
     camera->far_clip = camera->near_clip + (camera->far_clip - camera->near_clip) * by;

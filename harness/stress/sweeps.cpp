@@ -18,7 +18,7 @@ struct WholeSceneSweepRun {
   std::function<double(double)> factor = [](double) { return 1.0; };
 };
 
-/// What every feature has to stand. 37 is near the end of single precision, 45 beyond it.
+/// The sweeps that every feature must pass. 37 is near the end of single precision, 45 beyond it.
 std::vector<WholeSceneSweepRun> whole_scene_sweep_runs() {
   const auto ten = [](double k) { return std::pow(10.0, k); };
   return {
@@ -77,7 +77,7 @@ void add_whole_scene_sweeps(const std::filesystem::path& assets, std::vector<Swe
     add_sweep_runs_of(
         feature, scene,
         feature == "medium homogeneous" ? std::vector<std::string>{"volpath"} : std::vector<std::string>{}, sweeps);
-  // Those that climb nothing else by themselves.
+  // The engines that have no other sweeps.
   for (const char* engine : {"direct", "sppm", "whitted"})
     add_sweep_runs_of("integrator " + std::string(engine), scenes.front().second, {engine}, sweeps);
 }

@@ -1,4 +1,4 @@
-// The program climbs a few sweeps, goes on from what it kept, and tells a program with a fault from a sound one.
+// The program runs a few sweeps, resumes from kept levels, and distinguishes a faulty program from a sound one.
 
 #include <gtest/gtest.h>
 
@@ -97,23 +97,23 @@ TEST_F(Stress, fails_where_another_build_crashes) {
 }
 
 TEST_F(Stress, looks_again_where_noise_hides_what_a_level_is) {
-  // By 64 samples of a light in a mirror only an error of 14 % would be seen, and the loss of the variance layer, which
-  // is said from 10^19 on, is no reason to leave it at that.
+  // With 64 samples of a light in a mirror the minimum detectable error is 14 %. The loss of the variance layer,
+  // reported from 10^19 on, is no reason to stop there.
   const ProcessOutcome outcome = stress({"--quick", "--engine", "path", "--only", "bsdf conductor, radiance up"});
   ASSERT_TRUE(outcome.ok()) << outcome.standard_error;
   ASSERT_EQ(record().sweeps.size(), 1u);
   EXPECT_EQ(record().sweeps[0].right_up_to(), 30) << outcome.standard_output;
   EXPECT_LT(record().sweeps[0].levels[0].would_see.value_or(1), 0.1);
 
-  // Light tracing's first looks show 13 %, as would more of them beside what is expected from 256 samples.
+  // Light tracing's first look detects 13 %, and so would more looks beside an expected picture of 256 samples.
   ASSERT_TRUE(stress({"--quick", "--engine", "ptracer", "--only", "light constant, radiance up"}).ok());
   ASSERT_EQ(record().sweeps.size(), 1u);
   EXPECT_EQ(record().sweeps[0].right_up_to(), 30);
 }
 
 TEST_F(Stress, lights_of_every_size_light_a_floor_as_theory_says) {
-  // By paths that ask lights and meet them, by lights alone, and by what lights send out; in a list of primitives and
-  // in a hierarchy.
+  // Engines: paths that sample lights and hit them, lights only, and photons from lights. Each runs in a list of
+  // primitives and in a hierarchy.
   const std::vector<std::vector<std::string>> sweep_runs{
       {"--engine", "path", "--engine", "whitted", "--only", "mesh, huge and tilted", "--only", "sphere, huge, over",
        "--only", "sphere, huge, around", "--only", "cylinder, huge, over a floor, in"},
@@ -139,8 +139,8 @@ TEST_F(Stress, light_that_grazes_turned_faces_is_right_or_said) {
     const std::string name = sweep.feature + ", " + sweep.sweep_run + ", " + sweep.engine;
     EXPECT_GE(sweep.right_up_to().value_or(0), sweep.wanted) << name;
     for (const StressLevel& level : sweep.levels)
-      if (level.height >= 7 && level.height <= 9) {  // at 12 radiances are beyond what a scene may say
-        // Rounding may fall on the right side; it is said all the same.
+      if (level.height >= 7 && level.height <= 9) {  // at 12 radiances exceed the limit of scenes
+        // Rounding may hit the right side; the warning comes all the same.
         EXPECT_TRUE(level.outcome == LevelOutcome::degraded || level.outcome == LevelOutcome::right)
             << name << " " << level.height << ": " << to_string(level.outcome);
         EXPECT_NE(level.sentence.find("light that grazes it there is not known"), std::string::npos) << level.sentence;
@@ -156,7 +156,7 @@ TEST_F(Stress, turns_every_stage_where_asked_to) {
   EXPECT_EQ(record().sweeps[0].sweep_run, "translation, turned");
   EXPECT_EQ(record().sweeps[0].right_up_to(), 9);
   EXPECT_EQ(record().sweeps[1].sweep_run, "near the floor, turned");
-  EXPECT_EQ(record().sweeps[1].levels.back().outcome, LevelOutcome::degraded);  // straight it is right
+  EXPECT_EQ(record().sweeps[1].levels.back().outcome, LevelOutcome::degraded);  // without the turn it is right
 }
 
 TEST_F(Stress, refuses_what_it_does_not_know_in_one_line) {
@@ -169,9 +169,8 @@ TEST_F(Stress, refuses_what_it_does_not_know_in_one_line) {
 }
 
 TEST_F(Stress, finds_a_fault_in_the_sweep_run_that_has_it_and_in_no_other) {
-  // Without its cosine a beam of irradiance 1/sine lights the floor by 1/sine instead of by 1; sizes and places of the
-  // same scene do not show that.
-  // Faults are in the kernels of one instruction set.
+  // Without its cosine a beam of irradiance 1/sine lights the floor by 1/sine instead of by 1. Sizes and places of the
+  // same scene do not show that. Faulty kernels exist for one instruction set only.
   const fs::path program = folder_.path() / "faulty.sh";
   std::string text = "#!/bin/sh\nexec " PHOTONPROOF_BINARY "-faulty \"$@\"";
   for (const std::string& argument : kernels_with_faults("path")) text += " " + argument;

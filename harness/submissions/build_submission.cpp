@@ -21,8 +21,8 @@ std::string last_part(const std::string& text, std::size_t bytes) {
   return text.size() <= bytes ? text : text.substr(text.size() - bytes);
 }
 
-// The first line that names an error as compilers and linkers do: "render.cpp:7:5: error: ...". Later ones follow from
-// it, and make's last line says only that there was one. Empty: there is none.
+// The first line with an error of a compiler or linker: "render.cpp:7:5: error: ...". Later errors follow from it, and
+// make's last line only reports that there was one. Empty if there is none.
 std::string first_error_line(const std::string& text) {
   static const std::regex names_error(R"(\berror(\[\w+\])?:|undefined reference to|CMake Error|No rule to make target)",
                                       std::regex::icase);
@@ -34,18 +34,18 @@ std::string first_error_line(const std::string& text) {
 
 std::string build_sentence(const SandboxOutcome& outcome) {
   const ProcessOutcome& process = outcome.process;
-  std::string said = first_error_line(process.standard_error);
-  if (said.empty()) said = first_error_line(process.standard_output);
-  if (said.empty()) said = last_line(process.standard_error);
-  if (said.empty()) said = last_line(process.standard_output);
-  std::string sentence = said_of("the build", outcome);
-  if (process.end == ProcessOutcome::End::exited && !said.empty()) sentence += ": " + printable(said);
+  std::string message = first_error_line(process.standard_error);
+  if (message.empty()) message = first_error_line(process.standard_output);
+  if (message.empty()) message = last_line(process.standard_error);
+  if (message.empty()) message = last_line(process.standard_output);
+  std::string sentence = outcome_sentence("the build", outcome);
+  if (process.end == ProcessOutcome::End::exited && !message.empty()) sentence += ": " + printable(message);
   return sentence;
 }
 
 }  // namespace
 
-std::string said_of(const std::string& subject, const SandboxOutcome& outcome) {
+std::string outcome_sentence(const std::string& subject, const SandboxOutcome& outcome) {
   const std::string sentence = outcome.sentence();
   const bool passive = sentence.starts_with("killed") || sentence.starts_with("interrupted");
   return subject + (passive ? " was " : " ") + sentence;
@@ -58,7 +58,7 @@ std::string log_tail(const ProcessOutcome& process) {
 
 BuildOutcome build_submission(const fs::path& submission, const BuildRecipe& recipe, const fs::path& built,
                               const Handling& handling) {
-  // Overwriting comes before the sandbox, on a copy of our own.
+  // Files are overwritten before the sandbox starts, on a copy of our own.
   const ScratchFolder scratch("build");
   const fs::path copy = scratch.path() / "copy";
   fs::copy(submission, copy, fs::copy_options::recursive | fs::copy_options::copy_symlinks);

@@ -1,4 +1,4 @@
-// What an assignment says of the images that submissions write.
+// An assignment's declaration about the images that submissions write.
 #pragma once
 
 #include <array>
@@ -17,7 +17,7 @@ inline std::optional<SubmittedFormat> submitted_format(std::string_view name) {
   return std::nullopt;
 }
 
-/// How radiance became the numbers in the file; those of 8- and 16-bit formats are from 0 to 1.
+/// How radiance became the numbers in the file; numbers of 8- and 16-bit formats range from 0 to 1.
 struct Transfer {
   enum class Kind { linear, srgb, gamma } kind = Kind::linear;
   double gamma = 1;  ///< radiance = number ^ gamma
@@ -26,7 +26,7 @@ struct Transfer {
 struct ImageDeclaration {
   SubmittedFormat format = SubmittedFormat::bmp;
   Transfer transfer{};
-  bool bottom_up = false;  ///< the row that the format means to be on top is the picture's lowest
+  bool bottom_up = false;  ///< the row that the format places on top is the picture's lowest
   double scale = 1;        ///< numbers are radiance times this
   int width = 0, height = 0;
 };

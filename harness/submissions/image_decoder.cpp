@@ -39,7 +39,7 @@ constexpr std::array starts{Start{SubmittedFormat::exr, "\x76\x2f\x31\x01"sv},
                             Start{SubmittedFormat::ppm, "P3"sv},
                             Start{SubmittedFormat::ppm, "P6"sv}};
 
-// TGA has no magic number: what its header may say.
+// TGA has no magic number, so this tests whether its header is possible.
 bool may_be_tga(std::string_view start) {
   if (start.size() < 18) return false;
   const auto byte = [start](std::size_t i) { return static_cast<unsigned char>(start[i]); };
@@ -63,7 +63,7 @@ std::string in_capitals(SubmittedFormat format) {
 
 [[noreturn]] void refuse(const std::string& what) { throw InputError("the image", what); }
 
-// Places of red, green and blue.
+// Indices of red, green and blue.
 std::array<int, 3> colour_of(const std::vector<std::string>& channels) {
   const auto place = [&channels](const char* name) {
     return static_cast<int>(std::ranges::find(channels, name) - channels.begin());
@@ -71,7 +71,7 @@ std::array<int, 3> colour_of(const std::vector<std::string>& channels) {
   const int count = static_cast<int>(channels.size());
   const std::array<int, 3> rgb{place("R"), place("G"), place("B")};
   if (std::ranges::max(rgb) < count) return rgb;
-  if (count <= 2 && count > 0) return {0, 0, 0};  // grey, perhaps with alpha
+  if (count <= 2 && count > 0) return {0, 0, 0};  // grey, possibly with alpha
   refuse("has no channels R, G and B");
 }
 
@@ -127,7 +127,7 @@ void decode_image(const fs::path& file, SubmittedFormat format, int width, int h
     copy_pixels(*in, colour_of(header.channels), out);
     if (!out.flush()) throw InputError(pixels.string(), "cannot be written");
   } catch (const InputError& error) {
-    // The path is ours; its author knows no such file.
+    // Removes our own path, which the file's author does not know.
     const std::string ours = file.string() + ": error: ", text = error.summary();
     if (!text.starts_with(ours)) throw;
     refuse(text.substr(ours.size()));

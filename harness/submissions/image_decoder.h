@@ -1,5 +1,5 @@
-// Decodes one untrusted image file to plain numbers. Runs inside the sandbox, by the hidden verb `decode-image`: what
-// the libraries below do with a hostile file, they do there.
+// Decodes one untrusted image file to plain numbers. Runs inside the sandbox, by the hidden verb `decode-image`, so
+// that a hostile file can harm only the sandbox.
 #pragma once
 
 #include <filesystem>
@@ -12,9 +12,9 @@ namespace photonproof::inline harness_submissions {
 /// Empty when the file's first bytes are those of the format, else "is no BMP file" or "is a PNG file, not BMP".
 std::string what_is_wrong_with_start(const std::filesystem::path& file, SubmittedFormat format);
 
-/// Writes width * height * 3 little-endian floats to `pixels`, the format's upper row first, numbers as they are in the
-/// file (8- and 16-bit ones from 0 to 1). The size and the channels are looked at before anything is decoded. Throws
-/// InputError, whose message is a sentence about "the image".
+/// Writes width * height * 3 little-endian floats to `pixels`, the format's upper row first, with the file's numbers
+/// (8- and 16-bit ones from 0 to 1). Checks size and channels before decoding. Throws InputError, whose message is a
+/// sentence about "the image".
 void decode_image(const std::filesystem::path& file, SubmittedFormat format, int width, int height,
                   const std::filesystem::path& pixels);
 

@@ -30,10 +30,10 @@ class NetpbmFile : public ImageFile {
     else
       greatest_ = value_of(last, 65535);
     if (header_.width == 0 || header_.height == 0 || greatest_ == 0) damaged("a size or a greatest value of 0");
-    ++at_;  // one blank, whatever follows
+    ++at_;  // one blank, whatever comes after it
     header_.channels = kind_ == 'f' ? std::vector<std::string>{"Y"} : std::vector<std::string>{"R", "G", "B"};
     if (!is_float()) header_.samples = greatest_ < 256 ? ImageHeader::Samples::bytes : ImageHeader::Samples::words;
-    header_.rows_together = header_.height;  // text has no rows that could be looked up
+    header_.rows_together = header_.height;  // rows of text have no fixed place
   }
 
   const ImageHeader& header() const override { return header_; }
@@ -46,7 +46,7 @@ class NetpbmFile : public ImageFile {
       const float value = next();
       const std::size_t channel = sample % channels, pixel = sample / channels;
       if (channel < static_cast<std::size_t>(first) || channel >= static_cast<std::size_t>(first + count)) continue;
-      const std::size_t y = is_float() ? height - 1 - pixel / width : pixel / width;  // PFM begins at the bottom
+      const std::size_t y = is_float() ? height - 1 - pixel / width : pixel / width;  // PFM starts with the lowest row
       values[(y * width + pixel % width) * static_cast<std::size_t>(count) + channel -
              static_cast<std::size_t>(first)] = value;
     }
@@ -57,7 +57,7 @@ class NetpbmFile : public ImageFile {
   [[noreturn]] void damaged(const std::string& how) const { throw InputError(path_, "is damaged: " + how); }
   [[noreturn]] void truncated() const { throw InputError(path_, "is truncated: fewer numbers than its size says"); }
 
-  // Up to the next blank; a comment is one.
+  // The next word; blanks and comments separate words.
   std::string_view word() {
     const auto blank = [this] { return std::isspace(static_cast<unsigned char>(bytes_[at_])) != 0; };
     while (at_ < bytes_.size() && (blank() || bytes_[at_] == '#'))
@@ -87,7 +87,7 @@ class NetpbmFile : public ImageFile {
   }
 
   std::size_t sample_bytes() const { return is_float() ? 4 : greatest_ < 256 ? 1 : 2; }
-  // Before anything is read: what is there for so many samples.
+  // Checks, before reading, that the file is long enough for so many samples.
   void check_length(std::size_t samples) const {
     const std::size_t needed = kind_ == '3' ? 2 * samples - 1 : samples * sample_bytes();
     if (at_ > bytes_.size() || bytes_.size() - at_ < needed) truncated();

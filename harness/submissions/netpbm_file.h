@@ -1,5 +1,5 @@
-// PPM and PFM, the formats that students write by hand: exact for every greatest value (OpenImageIO makes 65534/65535
-// of a full 16-bit sample), with comments, and read without OpenImageIO, which takes longer to load than a scene to
+// PPM and PFM, the formats that students write by hand, with comments and exact for every greatest value (OpenImageIO
+// makes 65534/65535 of a full 16-bit sample). Read without OpenImageIO, which takes longer to load than a scene to
 // render.
 #pragma once
 
@@ -10,8 +10,8 @@
 
 namespace photonproof::inline harness_submissions {
 
-/// P3 and P6 with a greatest value up to 65535, PF and Pf of either byte order. Throws InputError; what is damaged or
-/// missing behind the header shows when rows are read.
+/// P3 and P6 with a greatest value up to 65535, PF and Pf of either byte order. Throws InputError. Damaged or missing
+/// data after the header is found only when rows are read.
 std::unique_ptr<ImageFile> open_netpbm(const std::string& path);
 
 }  // namespace photonproof::inline harness_submissions

@@ -28,7 +28,7 @@ class PlainBmpFile : public ImageFile {
     row_bytes_ = (3 * static_cast<std::size_t>(width) + 3) / 4 * 4;
   }
 
-  /// Of the header, which is whole.
+  /// Whether a complete header is that of a plain BMP.
   static bool is_plain(const std::string& bytes) {
     const auto at = [&bytes](std::size_t place) { return static_cast<unsigned char>(bytes[place]); };
     constexpr std::size_t bits = 28, compression = 30;
@@ -39,7 +39,7 @@ class PlainBmpFile : public ImageFile {
   const ImageHeader& header() const override { return header_; }
 
   void read(int begin, int end, int first, int count, float* values) override {
-    // The last row's filling is often left out.
+    // The last row's padding is often missing.
     const std::size_t row = 3 * static_cast<std::size_t>(header_.width);
     const std::size_t needed = pixels_at_ + (static_cast<std::size_t>(header_.height) - 1) * row_bytes_ + row;
     if (pixels_at_ < file_header + info_header || bytes_.size() < needed)

@@ -41,7 +41,7 @@ std::string what_is_wrong_with_kind(const std::string& kind) {
 
 constexpr const char* scene_inside = "/scene";
 
-// Whatever the first run says or leaves, its image is taken away from its place.
+// Removes the image of the first run before the second starts, whatever the first run did.
 std::vector<std::string> one_after_the_other(const RunRecipe& recipe, const std::map<std::string, std::string>& values,
                                              const std::vector<std::string>& second, const std::string& output) {
   const std::string image = shell_word(output);
@@ -51,13 +51,13 @@ std::vector<std::string> one_after_the_other(const RunRecipe& recipe, const std:
               shell_line(second)};
 }
 
-// The command's own folder, before it starts.
+// Fills the command's own folder before the command starts.
 void make_run_folder(const fs::path& built, const fs::path& tree_inside, const RunRecipe& recipe,
                      const std::string& output, const fs::path& folder) {
   const fs::path params = recipe.params_place.empty() ? fs::path() : checked_place(recipe.params_place);
   link_farm(built, tree_inside, params, folder);
   if (!params.empty()) write_file_atomically(folder / params, recipe.params);
-  fs::remove(folder / output);  // an image that was handed in is no output
+  fs::remove(folder / output);  // a submitted image is no output
 }
 
 }  // namespace
@@ -99,7 +99,7 @@ RunOutcome run_submission(const fs::path& built, const RunRecipe& recipe, const 
   run.cpu_seconds = outcome.process.all_cpu_seconds;  // bubblewrap does not wait for the command
   run.peak_bytes = outcome.process.peak_bytes;
   run.log_tail = log_tail(outcome.process);
-  run.sentence = said_of("the program", outcome);
+  run.sentence = outcome_sentence("the program", outcome);
   if (!outcome.ok()) {
     run.kind = kind_of_end(outcome);
     return run;

@@ -1,4 +1,4 @@
-// A small submission from folder to image.
+// Runs a small submission from its folder to its image.
 #include "harness/submissions/run_submission.h"
 
 #include <cmath>
@@ -153,7 +153,7 @@ TEST_F(RunSubmission, submission_is_built_with_staffs_files) {
   EXPECT_FALSE(has("done2"));
 }
 
-// What a makefile tries is what its program may try later: neither sees the folders of the grader.
+// A makefile may try the same as its program: neither sees the folders of the grader.
 TEST_F(RunSubmission, hidden_scenes_and_references_are_seen_neither_by_build_nor_by_run) {
   for (const char* name : {"given", "hidden", "references"}) fs::create_directories(folder_ / name);
   put("hidden/scene.xml", "the-hidden-scene");
@@ -169,7 +169,7 @@ TEST_F(RunSubmission, hidden_scenes_and_references_are_seen_neither_by_build_nor
   EXPECT_TRUE(built.ok) << built.sentence;
   EXPECT_THAT(built.log_tail, nothing);
   EXPECT_THAT(run(read + list + " 2>/dev/null").log_tail, nothing);
-  // The same without a sandbox finds them.
+  // The same commands find them without a sandbox.
   put("given/Makefile", "all:\n\t@" + read + "true\n");
   handling_.contained = false;
   const BuildOutcome open =

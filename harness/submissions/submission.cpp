@@ -16,10 +16,10 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* archive_inside = "/submission.archive";
-// What the scripts below exit with after a sentence on standard output.
+// Exit code of the scripts below after a sentence on standard output.
 constexpr int refused = 10;
 
-// Names are looked at so that the author hears of them; nothing that the archive holds can leave the sandbox.
+// Checks names only to report them to the author; nothing in the archive can leave the sandbox.
 constexpr const char* unpack_archive = R"sh(
 bsdtar -tf "$0" >/tmp/names || exit 1
 name=$(grep -m 1 -E '^/|(^|/)\.\.(/|$)' /tmp/names) && { echo "$name would be unpacked outside of it"; exit 10; }
@@ -28,7 +28,7 @@ name=$(grep -m 1 '^[bcps]' /tmp/kinds) && { echo "${name##* } is a device, a pip
 rm /tmp/names /tmp/kinds
 exec bsdtar -x -f "$0" --no-same-owner --no-same-permissions --no-acls --no-xattrs --no-fflags
 )sh";
-// A bundle need not say which of its branches is meant.
+// A bundle need not mark one of its branches as the current one.
 constexpr const char* unpack_bundle = R"sh(
 git clone -q --template= --no-checkout "$0" . || exit 1
 git checkout -q 2>/dev/null || git checkout -q "$(git for-each-ref --count=1 --format='%(refname)' refs/remotes)" || exit 1
@@ -80,7 +80,7 @@ SandboxOutcome unpack(Form form, const fs::path& source, SandboxOptions options)
   return run_sandboxed({"/bin/sh", "-c", script, options.contained ? archive_inside : source.string()}, options);
 }
 
-// Throws for an unpacking that failed.
+// Throws if unpacking failed.
 void check_unpacked(const SandboxOutcome& outcome, const IntakeLimits& limits) {
   const ProcessOutcome& process = outcome.process;
   if (outcome.limit == "disk" || outcome.limit == "file size")
@@ -91,8 +91,8 @@ void check_unpacked(const SandboxOutcome& outcome, const IntakeLimits& limits) {
   if (process.end == ProcessOutcome::End::exited && process.exit_code == refused)
     throw SubmissionError(printable(last_line(process.standard_output)));
   if (!process.ok()) {
-    const std::string said = last_line(process.standard_error);
-    throw SubmissionError("it cannot be unpacked: " + printable(said.empty() ? process.sentence() : said));
+    const std::string message = last_line(process.standard_error);
+    throw SubmissionError("it cannot be unpacked: " + printable(message.empty() ? process.sentence() : message));
   }
   if (!outcome.special.empty()) throw SubmissionError(printable(outcome.special) + " is a device, a pipe or a socket");
 }

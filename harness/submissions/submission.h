@@ -1,5 +1,5 @@
-// A submission is somebody's program, as a folder, an archive or a git bundle. Taking it in means a copy that only the
-// grader has: unpacked inside the sandbox, then looked at from outside, so that nothing of it lies or points elsewhere.
+// A submission is an untrusted program, as a folder, an archive or a git bundle. The grader takes in a private copy:
+// unpacked inside the sandbox, then checked from outside, so that no part of it lies or points elsewhere.
 #pragma once
 
 #include <atomic>
@@ -15,7 +15,7 @@ struct Submission {
   std::filesystem::path source;  ///< a folder, .zip, .tar, .tar.gz, .tar.bz2, .tar.xz, .tar.zst or a git bundle
 };
 
-/// What is wrong with a submission, in a sentence for its author. The grader's own troubles are InputErrors.
+/// An error in a submission, as a sentence for its author. Failures of the grader itself are InputErrors.
 class SubmissionError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
@@ -27,16 +27,16 @@ struct IntakeLimits {
   int files = 20000;                               ///< folders and links counted
 };
 
-/// How everything of a submission is run.
+/// How all parts of a submission run.
 struct Handling {
   bool contained = true;  ///< false: without a sandbox
   const std::atomic<bool>* interrupt = nullptr;
 };
 
-/// Unpacks a copy into `folder`, which is made and must not exist; an archive's only folder is entered. The source is
-/// not changed. Throws SubmissionError for what is no such file, is damaged, has members or links that lead outside,
-/// devices, pipes or sockets, or exceeds the limits, and InputError when the source is missing or the copy cannot be
-/// written.
+/// Unpacks a copy into `folder`, which must not exist yet; an archive's only folder is entered. The source is not
+/// changed. Throws SubmissionError for a file of another kind, a damaged one, or one over the limits. Links that lead
+/// outside, devices, pipes and sockets are also refused. Throws InputError when the source is missing or the copy
+/// cannot be written.
 void take_in(const Submission& submission, const std::filesystem::path& folder, const IntakeLimits& limits = {},
              const Handling& handling = {});
 

@@ -23,12 +23,12 @@ class Intake : public FolderTest {
     put("given/team/src/a.c", "int a;\n");
     fs::create_symlink("src/a.c", folder_ / "given/team/link.c");
   }
-  // In the folder `given`, by a shell.
+  // Runs a shell script in the folder `given`.
   void shell(const std::string& script) const {
     const ProcessOutcome outcome = run_process({"/bin/sh", "-ec", script}, {.working_folder = folder_ / "given"});
     ASSERT_TRUE(outcome.ok()) << outcome.standard_error;
   }
-  // Empty, or what is wrong.
+  // Empty, or the error.
   std::string taken(const std::string& name) {
     fs::remove_all(folder_ / "taken");
     try {
@@ -94,7 +94,7 @@ TEST_F(Intake, links_that_lead_outside_are_refused) {
   shell("tar cf a.tar team; ln -sf ../../../secret team/secret");
   EXPECT_EQ(taken("a.tar"), "team/secret is a link to /etc/passwd, outside of the submission");
   EXPECT_EQ(taken("team"), "secret is a link to ../../../secret, outside of the submission");
-  // By its text it stays inside, but `loop` is the submission's own folder.
+  // As a text the link stays inside, but `loop` is the submission's own folder.
   shell("rm team/secret; mkdir -p team/x/y; ln -s ../.. team/x/y/loop; ln -s loop/../file team/x/y/out");
   EXPECT_EQ(taken("team"), "x/y/out is a link to loop/../file, outside of the submission");
 }

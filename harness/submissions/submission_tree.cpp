@@ -15,7 +15,7 @@ bool is_inside(const fs::path& path, const fs::path& folder) {
   return std::mismatch(folder.begin(), folder.end(), path.begin(), path.end()).first == folder.end();
 }
 
-// `root` is canonical. Where a link leads depends on the links on its way, hence not by its text alone.
+// `root` is canonical. The target depends on the links on its way, so the link's text alone does not give it.
 std::string what_is_wrong_with_link(const fs::path& link, const fs::path& root) {
   const std::string name = printable(link.lexically_relative(root).string());
   std::error_code failure;
@@ -34,7 +34,7 @@ bool is_of_macos(const fs::path& path) {
 
 bool is_real_folder(const fs::path& path) { return fs::symlink_status(path).type() == fs::file_type::directory; }
 
-// A folder in `path`'s place that nobody else has a name for.
+// Replaces `path` by a folder without any other name.
 void make_real_folder(const fs::path& path) {
   if (is_real_folder(path)) return;
   fs::remove_all(path);
@@ -63,7 +63,7 @@ void enter_only_folder(const fs::path& folder) {
   for (const fs::directory_entry& entry : fs::directory_iterator(folder))
     if (!is_of_macos(entry.path())) entries.push_back(entry.path());
   if (entries.size() != 1 || !is_real_folder(entries[0])) return;
-  const fs::path aside = folder.string() + ".entered";  // a name of its own: the folder may hold one of the same name
+  const fs::path aside = folder.string() + ".entered";  // a separate name, since the folder may hold the same one
   fs::remove_all(aside);
   fs::rename(entries[0], aside);
   fs::remove_all(folder);
@@ -77,7 +77,7 @@ void overwrite_files(const fs::path& staff, const fs::path& folder) {
       make_real_folder(to);
       overwrite_files(entry.path(), to);
     } else {
-      fs::remove_all(to);  // also a file: it may be one of several names
+      fs::remove_all(to);  // also a file, which may have several names
       fs::copy_file(entry.path(), to);
     }
   }

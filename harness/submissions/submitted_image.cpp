@@ -48,7 +48,7 @@ SandboxOutcome decode_in_sandbox(const fs::path& file, const ImageDeclaration& d
   options.limits.file_bytes = bytes + 1;
   options.limits.disk_bytes = bytes + (std::uint64_t{4} << 20);
   options.limits.memory_bytes = (std::uint64_t{1} << 30) + 8 * bytes;
-  options.limits.processes = 256;  // OpenEXR and OpenImageIO start a thread a core
+  options.limits.processes = 256;  // OpenEXR and OpenImageIO start a thread for each core
   options.collect = "pixels";
   options.collect_to = pixels;
   const fs::path seen_program = handling.contained ? fs::path(inside) / "bin/photonproof" : whole_program;
@@ -62,9 +62,9 @@ SandboxOutcome decode_in_sandbox(const fs::path& file, const ImageDeclaration& d
 // The message of the decoder's InputError about "the image".
 std::string decoders_complaint(const SandboxOutcome& outcome) {
   constexpr std::string_view start = "the image: error: ";
-  const std::string said = last_line(outcome.process.standard_error);
-  if (said.starts_with(start)) return printable(said.substr(start.size()));
-  return "cannot be decoded: the decoder " + outcome.sentence() + (said.empty() ? "" : ": " + printable(said));
+  const std::string message = last_line(outcome.process.standard_error);
+  if (message.starts_with(start)) return printable(message.substr(start.size()));
+  return "cannot be decoded: the decoder " + outcome.sentence() + (message.empty() ? "" : ": " + printable(message));
 }
 
 Image read_pixels(const fs::path& file, int width, int height) {
@@ -95,7 +95,7 @@ double linear_of(double value, const Transfer& transfer) {
   switch (transfer.kind) {
     case Transfer::Kind::linear:
       break;
-    case Transfer::Kind::srgb:  // odd, so that what is below black stays there
+    case Transfer::Kind::srgb:  // an odd function, so that values below black stay there
       return std::copysign(
           std::abs(value) <= 0.04045 ? std::abs(value) / 12.92 : std::pow((std::abs(value) + 0.055) / 1.055, 2.4),
           value);

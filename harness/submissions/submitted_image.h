@@ -1,4 +1,4 @@
-// A file that a submission wrote, as the linear image that the assignment says it means.
+// Reads a submission's image file as the linear image that the assignment declares.
 #pragma once
 
 #include <filesystem>
@@ -13,17 +13,17 @@ namespace photonproof::inline harness_submissions {
 
 struct SubmittedImage {
   std::optional<Image> image;  ///< linear, row 0 on top, without the declared scale
-  std::string wrong;           ///< where there is none: a sentence that begins with `shown_name`
+  std::string wrong;           ///< if there is none: a sentence that begins with `shown_name`
 };
 
-/// `file` is opened without following a link or waiting for a pipe, and decoded in a sandboxed process of its own,
-/// which is `program` (photonproof) with its hidden verb. `shown_name` is what its author calls it. Throws InputError
-/// for the grader's own troubles.
+/// Opens `file` without following a link or waiting for a pipe. Decodes it in a sandboxed process of its own, `program`
+/// (photonproof) with its hidden verb. Messages call the file `shown_name`. Throws InputError for failures of the
+/// grader itself.
 SubmittedImage read_submitted_image(const std::filesystem::path& file, const std::string& shown_name,
                                     const ImageDeclaration& declaration, const std::filesystem::path& program,
                                     const Handling& handling = {});
 
-/// From numbers as in the file to the image that is meant, in place.
+/// Converts the file's numbers to the image that the declaration describes, in place.
 void undo_declaration(Image& image, const ImageDeclaration& declaration);
 
 }  // namespace photonproof::inline harness_submissions

@@ -1,4 +1,4 @@
-// One picture in every format that submissions may write, and files that are none.
+// One picture in every format that submissions may write, and files that are no images.
 #include "harness/submissions/submitted_image.h"
 
 #include <sys/stat.h>
@@ -43,7 +43,7 @@ std::string floats(std::initializer_list<float> values) {
   return bytes;
 }
 
-// Of 24 bits, lowest row first, rows filled up to 4 bytes, blue before green before red.
+// BMP of 24 bits: lowest row first, rows padded to 4 bytes, blue before green before red.
 const std::string bmp =
     "BM\x46\0\0\0\0\0\0\0\x36\0\0\0\x28\0\0\0\x02\0\0\0\x02\0\0\0\x01\0\x18\0\0\0\0\0\x10\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0"
     "\0\0\0\0"
@@ -68,7 +68,7 @@ TEST_F(SubmittedImageTest, every_format_has_its_picture) {
       0.01);
 }
 
-// What is no plain one is read by OpenImageIO: they agree, and on how rows are ordered.
+// OpenImageIO reads all BMP files that are not plain: both readers must agree, also on the order of rows.
 TEST_F(SubmittedImageTest, every_kind_of_bmp_has_the_same_picture) {
   using enum SubmittedFormat;
   const auto header = [](int height, int bits, int bytes) {
@@ -81,7 +81,7 @@ TEST_F(SubmittedImageTest, every_kind_of_bmp_has_the_same_picture) {
   };
   expect_picture(read(bmp, header(-2, 24, 16) + "\0\0\xff\0\xff\0\0\0\xff\0\0\xff\xff\xff\0\0"s));  // top row first
   expect_picture(read(bmp, header(2, 32, 16) + "\xff\0\0\xff\xff\xff\xff\xff\0\0\xff\xff\0\xff\0\xff"s));
-  expect_picture(read(bmp, photonproof::bmp.substr(0, 68)));  // the last row without its filling
+  expect_picture(read(bmp, photonproof::bmp.substr(0, 68)));  // the last row without its padding
   EXPECT_EQ(wrong(bmp, photonproof::bmp.substr(0, 67)), "out is truncated: fewer pixels than its size says");
   EXPECT_EQ(wrong(bmp, header(0, 24, 16) + photonproof::bmp.substr(54)), "out is damaged: a size of 2 x 0");
   std::string far = photonproof::bmp;

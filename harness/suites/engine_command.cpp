@@ -142,7 +142,7 @@ std::vector<std::string> fill_command(const std::vector<std::string>& command, c
   }
   if (is_from_suite(command.front())) {
     const std::filesystem::path program = (values.suite / command.front()).lexically_normal();
-    arguments.front() = program.has_parent_path() ? program.string() : "./" + program.string();  // not one on PATH
+    arguments.front() = program.has_parent_path() ? program.string() : "./" + program.string();  // not on PATH
   }
   return arguments;
 }

@@ -1,4 +1,4 @@
-// From an engine's command template to the arguments of one process, and to the line a person would type.
+// Turns an engine's command template into the arguments of one process, and into the line a person would type.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@
 
 namespace photonproof::inline harness_suites {
 
-/// What the placeholders of a template stand for. A version command knows {photonproof} and {suite} only.
+/// The values of a template's placeholders. A version command has {photonproof} and {suite} only.
 struct CommandValues {
   std::filesystem::path photonproof;  ///< this program
   std::filesystem::path suite;        ///< the suite's folder
@@ -25,24 +25,25 @@ struct CommandValues {
 
 enum class CommandUse { render, version };
 
-/// Why the template cannot be used: it is empty, has an unknown placeholder or a brace that opens none, {budget} is
-/// only part of an argument, or one that renders lacks {output} or both of {scene} and {scene_name}. Empty when it can.
+/// The reason why the template cannot be used; empty if it can. It may be empty, or have an unknown placeholder, a
+/// brace without placeholder, or {budget} as only part of an argument. One that renders needs {output}, and {scene} or
+/// {scene_name}.
 std::optional<std::string> command_problem(const std::vector<std::string>& command, CommandUse use);
 
 /// Whether a command's program is a path that starts from the suite's folder: a relative one, not a name for PATH.
 bool is_from_suite(const std::string& program);
 
-/// What to do about a command whose program cannot be started, as the end of a sentence: "; it is not on PATH: write
-/// {suite}/mine for the one beside the suite". Empty where there is nothing to say.
+/// Advice for a command whose program cannot start, as the end of a sentence: "; it is not on PATH: write {suite}/mine
+/// for the one beside the suite". Empty without advice.
 std::string start_hint(const std::vector<std::string>& command, const std::filesystem::path& suite_folder);
-/// The same of a command that failed: an argument that names a file beside the suite, and none in the current folder.
+/// The same for a failed command: an argument names a file beside the suite that is not in the current folder.
 std::string argument_hint(const std::vector<std::string>& command, const std::filesystem::path& suite_folder);
 
 /// Whether an argument of the template has the placeholder, "{seed}".
 bool mentions(const std::vector<std::string>& command, const char* placeholder);
 
-/// The arguments. A program that the template gives as a relative path ("build/mine") is meant from the suite's folder,
-/// wherever the command is started. Precondition: command_problem is empty.
+/// The arguments. A relative path of a program in the template ("build/mine") is relative to the suite's folder,
+/// wherever the command starts. Precondition: command_problem is empty.
 std::vector<std::string> fill_command(const std::vector<std::string>& command, const CommandValues& values);
 
 }  // namespace photonproof::inline harness_suites

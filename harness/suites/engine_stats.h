@@ -1,7 +1,7 @@
-// What an engine says about its own run: the stats JSON it may write at {stats}. Keys that are not below are ignored:
+// The stats JSON that an engine may write at {stats} about its own run. Other keys are ignored:
 //   {"schema_version": 1, "phases": {"render": 1.5}, "counts": {"rays": 1e9},
-//    "skipped": ["caustic photon map: no specular surface"], "losses": ["radiosity ends after 12 bounces: ..."],
-//    "cannot_find": ["caustics of lights without size"]}
+//    "skipped": ["caustic photon map: no specular surface"],
+//    "losses": ["radiosity ends after 12 bounces: ..."], "cannot_find": ["caustics of lights without size"]}
 #pragma once
 
 #include <filesystem>
@@ -16,14 +16,14 @@ struct EngineStats {
   std::map<std::string, double> phases;  ///< seconds by phase
   std::map<std::string, double> counts;  ///< rays, photons ...
   std::vector<std::string> skipped;      ///< "pass: reason"
-  std::vector<std::string> losses;       ///< known errors of this image, as the engine declares them
-  /// Those of the losses that no number of samples cures: light that the engine cannot find, and who can.
+  std::vector<std::string> losses;       ///< known errors of this image, as declared by the engine
+  /// The losses that no number of samples removes: light that the engine cannot find, and the engines that can.
   std::vector<std::string> cannot_find;
   std::optional<std::string> problem;  ///< why (part of) the file could not be used, one sentence
 };
 
-/// Never throws for what an engine wrote: another program's statistics must not stop a run. A missing file is empty
-/// stats without a problem. Numbers that are not finite and phases that are negative are left out and named.
+/// Never throws because of the file's content: another program's statistics must not stop a run. A missing file gives
+/// empty stats without a problem. Numbers that are not finite and negative phases are left out and named.
 EngineStats read_engine_stats(const std::filesystem::path& file);
 
 }  // namespace photonproof::inline harness_suites

@@ -1,4 +1,4 @@
-// What can render a scene, as data: a program with its command line, behind a process boundary. Our own integrators,
+// Engines that render scenes, as data: a program with its command line, behind a process boundary. Our own integrators,
 // POV-Ray and a student's program are rows of the same table (engines.toml; a suite may add its own).
 #pragma once
 
@@ -9,8 +9,8 @@
 
 namespace photonproof::inline harness_suites {
 
-/// How far an engine's image may be believed: its expectation is right, it has a known error that shrinks with the
-/// budget, or we know nothing about it.
+/// How reliable an engine's image is: its expectation is right, it has a known error that shrinks with the budget, or
+/// its error is unknown.
 enum class Trust { unbiased, biased, external };
 std::string to_string(Trust trust);
 
@@ -18,21 +18,21 @@ struct Engine {
   std::string name;
   std::string title;
   std::vector<std::string> command;  ///< template, see harness/suites/engine_command.h
-  /// Each prints a version as its first line; empty when the engine has none to tell.
+  /// Each command prints a version as its first line; empty when the engine has none.
   std::vector<std::vector<std::string>> version_commands;
   std::vector<std::string> budget_kinds;  ///< what {budget} may be: "spp", "photons", ...
   Trust trust = Trust::external;
   std::string image_extension = "exr";  ///< of the file it writes at {output}
-  std::string layer{};                  ///< of that file which is its picture; empty: as read_rendering chooses
+  std::string layer{};                  ///< layer of that file with its picture; empty: as read_rendering chooses
 
   bool accepts(const std::string& budget_kind) const;
 };
 
-/// The rows this program carries.
+/// Rows of engines.toml, which is part of this program.
 std::vector<Engine> builtin_engines();
 
 /// The [[engine]] rows of a document. Throws InputError with the place on unknown keys, wrong types, unknown
-/// placeholders and names that occur twice, among themselves or in `existing`.
+/// placeholders and names that occur twice, in the document or in `existing`.
 std::vector<Engine> engines_from_toml(const TomlTable& document, const std::vector<Engine>& existing);
 
 }  // namespace photonproof::inline harness_suites

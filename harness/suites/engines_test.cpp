@@ -132,7 +132,7 @@ TEST(Engines, relative_programs_start_from_the_suites_folder_and_names_from_path
   CommandValues values = example_values();
   const auto program = [&](const std::string& name) { return fill_command({name}, values).front(); };
   EXPECT_EQ(program("build/mine"), "suites/build/mine");
-  EXPECT_EQ(program("../mine"), "./mine");  // not one on PATH
+  EXPECT_EQ(program("../mine"), "./mine");  // so that no program on PATH is taken
   EXPECT_EQ(program("mine"), "mine");
   EXPECT_EQ(program("/bin/mine"), "/bin/mine");
   EXPECT_EQ(program("{suite}/mine"), "suites/mine");

@@ -1,5 +1,5 @@
-// A benchmark suite: which scenes, which engines at which budgets and seeds, what each is compared with, and the
-// limits. Its keys are in suites/FORMAT.md, which suite_format_test.cpp holds to what is read here.
+// A benchmark suite: its scenes, engines, budgets and seeds, the reference of each scene, and the limits. Its keys are
+// in docs/formats/suite.md; suite_format_test.cpp checks that the page and this reader agree.
 #pragma once
 
 #include <cstdint>
@@ -17,26 +17,26 @@ namespace photonproof::inline harness_suites {
 struct Limits {
   double seconds = 60;             ///< wall time of one cell
   std::uint64_t memory_mb = 2048;  ///< MiB, resident, of one cell's processes together; 0: no limit
-  int threads = 0;                 ///< that engines may use; 0: every core
+  int threads = 0;                 ///< for the engine to use; 0: every core
 };
 
 struct SuiteScene {
   std::string name;
   std::filesystem::path path;  ///< openable from the current folder
-  std::string given_path;      ///< as the suite says it
+  std::string given_path;      ///< as written in the suite
   int width = 0, height = 0;
-  std::optional<double> exposure;   ///< stops; otherwise the scene's expect.toml says
+  std::optional<double> exposure;   ///< stops; without it the scene's expect.toml gives the exposure
   std::optional<Cell> reference{};  ///< empty: the stored one
   std::vector<double> target_relmse{};
-  std::map<std::string, std::filesystem::path> files{};  ///< what {scene} is instead of `path`, by engine
+  std::map<std::string, std::filesystem::path> files{};  ///< by engine: what {scene} is instead of `path`
 
   const std::filesystem::path& file_for(const std::string& engine_name) const;
-  /// What decides a cell of the engine beside the scene's own content: that of its file; empty without one. Throws
-  /// InputError when it cannot be read.
+  /// Content of the engine's own file for the scene, which its cells depend on besides the scene itself; empty without
+  /// one. Throws InputError when it cannot be read.
   std::string file_content(const std::string& engine_name) const;
 };
 
-/// What benchmark suites and gate suites have in common.
+/// Common part of benchmark suites and gate suites.
 struct SuiteCommon {
   std::filesystem::path file;
   std::filesystem::path folder;
@@ -51,15 +51,15 @@ struct SuiteCommon {
 
 struct Suite : SuiteCommon {
   std::string control;        ///< name of the engine that is its own control; empty: none
-  Clock clock = Clock::wall;  ///< of curves of error against time
-  std::vector<Cell> cells;    ///< of the runs, in their order; references are not among them
+  Clock clock = Clock::wall;  ///< for curves of error against time
+  std::vector<Cell> cells;    ///< of the runs, in their order, without references
 };
 
-/// Of the engine that measures `engine` a second time.
+/// Name of the engine that measures `engine` a second time.
 std::string control_name(const std::string& engine);
 
-/// Throws InputError with file:line:col on anything but the above: unknown keys, wrong types, unknown engines and
-/// scenes, budgets an engine does not accept, and cells that occur twice.
+/// Throws InputError with file:line:col on unknown keys, wrong types, unknown engines and scenes, budgets an engine
+/// does not accept, and cells that occur twice.
 Suite read_suite(const std::filesystem::path& file);
 
 /// "spp=64"; empty when the text is not a kind, '=' and a positive number.

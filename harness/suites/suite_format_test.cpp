@@ -1,4 +1,4 @@
-// suites/FORMAT.md is what the readers of suites take: every key, and its examples load.
+// Checks that docs/formats/suite.md lists exactly the keys that the readers of suites take, and that its examples load.
 #include <algorithm>
 #include <map>
 #include <set>
@@ -13,9 +13,9 @@
 namespace photonproof::inline harness_suites {
 namespace {
 
-std::string page() { return read_file(PHOTONPROOF_SOURCE_DIR "/harness/suites/FORMAT.md"); }
+std::string page() { return read_file(PHOTONPROOF_SOURCE_DIR "/docs/formats/suite.md"); }
 
-/// What stands under the heading, up to the next.
+/// The text under the heading, up to the next heading.
 std::string section(const std::string& heading) {
   const std::string text = page(), start = "\n## " + heading + "\n";
   const std::size_t from = text.find(start);
@@ -49,7 +49,7 @@ class SuiteFormat : public FolderTest {
     }
   }
 
-  /// The keys that a reader knows in the table where it meets the unknown key "unknown".
+  /// The keys that a reader accepts in the table where it finds the unknown key "unknown".
   template <class Read>
   std::set<std::string> keys_of_message(const std::string& text, const Read& read) const {
     put("s.toml", text);
@@ -124,7 +124,7 @@ planted = 'hole'
 why = 'w'
 )toml";
 
-// A key that a reader takes and the page does not have, or the other way round, fails here.
+// A key that only the reader or only the page has fails here.
 TEST_F(SuiteFormat, every_key_that_is_read_is_in_the_page_and_no_other) {
   std::map<std::string, std::set<std::string>> read;
   const auto add = [&](const std::string& heading, const std::set<std::string>& keys) {
@@ -229,7 +229,7 @@ TEST_F(SuiteFormat, the_examples_of_the_page_load) {
                                                            "looks alike", "looks alike in the dark"}));
             }),
             "no error");
-  // A key that every table has in some example, or its table's row would teach by words alone.
+  // Every key of these tables must occur in some example.
   for (const char* heading : {"Keys of the file", "`[limits]`", "`[bench]`", "`[[engine]]`", "`[[scene]]`", "`[[run]]`",
                               "`[[gate]]`", "`[[unpromised]]`"})
     for (const std::string& key : documented_keys(heading))

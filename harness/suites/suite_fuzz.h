@@ -1,4 +1,4 @@
-// What the fuzzer of suites checks of one input; also run over the stored corpus by an ordinary test.
+// Checks of the fuzzer of suites for one input; an ordinary test also runs them over the stored corpus.
 #pragma once
 
 #include <string>
@@ -6,8 +6,7 @@
 
 namespace photonproof::inline harness_suites {
 
-/// Empty when `bytes` are refused with a proper message or read into something that keeps its promises; else what went
-/// wrong.
+/// Empty if `bytes` are refused with a proper message, or read into a suite that keeps its promises; else the error.
 std::string check_suite(std::string_view bytes);
 
 }  // namespace photonproof::inline harness_suites

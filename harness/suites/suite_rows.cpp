@@ -36,7 +36,7 @@ Limits limits_from_toml(const TomlTable& document) {
 std::filesystem::path existing_file(const TomlTable& table, const std::string& key,
                                     const std::filesystem::path& folder) {
   std::filesystem::path file = (folder / table.string(key)).lexically_normal();
-  std::error_code unreachable;  // a name that is too long, say
+  std::error_code unreachable;  // for example, of a name that is too long
   if (!std::filesystem::is_regular_file(file, unreachable)) throw table.error(key, "no such file: " + file.string());
   return file;
 }

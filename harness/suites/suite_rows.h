@@ -1,4 +1,4 @@
-// What the rows of benchmark suites and of gate suites have in common.
+// Common readers for the rows of benchmark suites and of gate suites.
 #pragma once
 
 #include <algorithm>
@@ -32,7 +32,7 @@ template <class Items>
 std::string unknown_name(const std::string& what, const std::string& name, const Items& known) {
   std::vector<std::string> names;
   for (const auto& item : known) names.push_back(item.name);
-  const std::string near = name.size() > 1 ? did_you_mean(name, names) : "";  // of one letter, any other is as near
+  const std::string near = name.size() > 1 ? did_you_mean(name, names) : "";  // any name is near a single letter
   return "unknown " + what + " '" + name + "'" + near + "; known: " + names_of(known);
 }
 
@@ -45,25 +45,25 @@ auto* find_named(Items& items, const std::string& name) {
 /// The functions below throw InputError with the value's place.
 int bounded_integer(const TomlTable& table, const std::string& key, std::int64_t least, std::int64_t most);
 
-/// Letters, digits, '_', '.' and '-': fit to name a file.
+/// Letters, digits, '_', '.' and '-', so that it can name a file.
 std::string file_name(const TomlTable& table, const std::string& key);
 
-/// The file that the key's path leads to from `folder`, which is there.
+/// The existing file that the key's path leads to from `folder`.
 std::filesystem::path existing_file(const TomlTable& table, const std::string& key,
                                     const std::filesystem::path& folder);
 
 /// The optional table [limits].
 Limits limits_from_toml(const TomlTable& document);
 
-/// Name, path, files, size and exposure of a scene of `suite`, whose engines are known and none of whose scenes has the
-/// name.
+/// Name, path, files, size and exposure of a scene for `suite`. The suite knows its engines and has no scene of that
+/// name yet.
 SuiteScene scene_row(const TomlTable& table, const SuiteCommon& suite);
 
-/// The engine that "engine" names.
+/// The engine that the key "engine" names.
 const Engine& known_engine(const TomlTable& table, const std::vector<Engine>& engines);
 
-/// The rows that one of two keys names, either of which takes a name or an array of names: scene = "a", scenes = ["a",
-/// "b"]. At least one, none twice.
+/// The rows that one of two keys names: scene = "a", scenes = ["a", "b"]. Each takes a name or an array of names. At
+/// least one row, none twice.
 template <class Items>
 auto named_rows(const std::string& one, const std::string& many, const TomlTable& table, Items& items) {
   if (table.has(one) && table.has(many))

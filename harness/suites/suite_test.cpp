@@ -81,7 +81,7 @@ TEST_F(SuiteFile, control_has_every_cell_of_its_engine_a_second_time) {
                            "[[run]]\nengine = 'path'\nbudgets = ['spp=1', 'target-error=0.5']\nseeds = [1]\n"
                            "[[run]]\nengine = 'bdpt'\nbudgets = ['spp=1']\nseeds = [1]\n");
   EXPECT_EQ(suite.engine("path-control").command, suite.engine("path").command);
-  // Two scenes: four cells by path, two by bdpt, four once more.
+  // Two scenes: four cells by path, two by bdpt, four for the control.
   ASSERT_EQ(suite.cells.size(), 10u);
   EXPECT_EQ(suite.cells[9].label(), "b/path-control/target-error=0.5/seed=1");
   EXPECT_EQ(error(std::string(head) + "[bench]\ncontrol = 'nobody'\n" + scenes)
@@ -102,7 +102,7 @@ TEST_F(SuiteFile, the_suites_we_ship_are_valid) {
   const std::filesystem::path folder = PHOTONPROOF_SOURCE_DIR "/harness/suites";
   int count = 0;
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-    if (entry.path().extension() != ".toml") continue;                // FORMAT.md
+    if (entry.path().extension() != ".toml") continue;
     if (entry.path().stem().string().starts_with("gates")) continue;  // the other kind: gate_suite_test.cpp
     EXPECT_EQ(input_error_of([&] { EXPECT_EQ(read_suite(entry.path()).name, entry.path().stem()); }), "no error");
     ++count;

@@ -1,4 +1,4 @@
-// A suite whose engines are a shell script: each engine is one way to behave, named by what it does.
+// A suite whose engines are one shell script: each engine behaves in one way and is named after it.
 #pragma once
 
 #include <limits>
@@ -31,7 +31,7 @@ class FakeSuiteTest : public FolderTest {
     write_exr((folder_ / name).string(), rendering);
   }
 
-  /// One scene, whose reference is by `reference`, and one cell for each of `engines`.
+  /// One scene with a reference by `reference`, and one cell for each of `engines`.
   std::string suite_text(const std::string& reference, const std::vector<std::string>& engines,
                          const std::string& limits = "seconds = 20") const {
     std::string text = "name = 'fake'\ntitle = 'Fake'\n[limits]\nthreads = 1\n" + limits +
@@ -80,7 +80,7 @@ class FakeSuiteTest : public FolderTest {
     return sum / static_cast<double>(reference.rgb.size());
   }
 
-  /// Engines that the script was started as, in order.
+  /// Names of the engines that the script ran as, in order.
   std::string started() const { return has("log") ? get("log") : ""; }
 
   static constexpr const char* script = R"script(

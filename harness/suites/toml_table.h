@@ -1,4 +1,4 @@
-// Strict reading of TOML: every key is asked for by its type, and one that nobody asked for is an error with its place.
+// Strict reading of TOML: every key is read by its type, and a key that no reader reads is an error with its place.
 // Keeps the toml++ header, which is slow to compile, in one source file.
 #pragma once
 
@@ -13,7 +13,7 @@
 
 namespace photonproof::inline harness_suites {
 
-/// A view of one table of a parsed document; copies see the same table and remember together what was asked for.
+/// A view of one table of a parsed document. Copies see the same table and share the record of the keys that were read.
 /// Every reading function throws InputError with file:line:col when the key is missing (unless optional) or its value
 /// has another type.
 class TomlTable {
@@ -34,11 +34,11 @@ class TomlTable {
   bool has(const std::string& key) const;
   bool is_array(const std::string& key) const;
   bool is_string(const std::string& key) const;
-  std::vector<std::string> keys() const;  ///< all there are
+  std::vector<std::string> keys() const;  ///< all keys of the table
   /// An array of tables; empty when the key is absent.
   std::vector<TomlTable> tables(const std::string& key) const;
 
-  /// Throws for the first key that none of the above was asked for, naming those that were.
+  /// Throws for the first key that none of the above has read, and names those that were.
   void expect_no_other_keys() const;
 
   /// An error at the value of `key`, at element `index` of the array that is its value, or at the table itself.

@@ -1,5 +1,5 @@
-// photonproof-trials faults: kills, bad disks, company, clocks and little memory befall small works, which must come to
-// the same in the end.
+// photonproof-trials faults: small runs meet kills, bad disks, a second run, clock changes and little memory. Their
+// final result must be that of an undisturbed run.
 
 #include <unistd.h>
 

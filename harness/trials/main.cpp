@@ -1,4 +1,4 @@
-// photonproof-trials: puts photonproof through a thousand renders, kills and bad disks.
+// photonproof-trials: tests photonproof by a thousand renders, kills and bad disks.
 
 #include <CLI/CLI.hpp>
 

@@ -1,5 +1,4 @@
-// photonproof-trials soak: a thousand renders in one folder; memory, files and disk stay as they are, and so do the
-// images.
+// photonproof-trials soak: a thousand renders in one folder. Memory, open files, disk and images must stay the same.
 
 #include <unistd.h>
 
@@ -30,7 +29,7 @@ struct SoakArguments {
   double bound = 4096;
 };
 
-/// Every integrator, and the ways of the photon mapper that it would choose between by itself.
+/// Every integrator, and each method that the photon mapper could choose by itself.
 std::vector<SoakMethod> soak_methods(const std::string& only) {
   std::vector<SoakMethod> methods;
   for (const Integrator& row : integrators()) {
@@ -68,7 +67,7 @@ SoakOptions soak_options(const SoakArguments& arguments) {
   return options;
 }
 
-/// `render` in this process, as a command line would have it.
+/// Runs `render` in this process with a command line's arguments.
 void render_here(const std::vector<std::string>& arguments) {
   if (interrupt_flag()) throw InputError("soak", "was interrupted");
   CLI::App program{"photonproof"};

@@ -25,7 +25,7 @@ std::string check_prediction(const Variant& asked, const SceneDescription& base,
                              const VariantOptions& options, const PredictionCheck& check) {
   if (asked.needs_reference()) return "";
   const int width = base.sensor.film.width, height = base.sensor.film.height, longer = std::max(width, height);
-  // A large variant is made once more, small.
+  // A large variant is checked by a small copy of it.
   const bool is_small = std::max(asked.width, asked.height) <= check.longer_side;
   const Variant variant = is_small
                               ? asked
@@ -39,7 +39,7 @@ std::string check_prediction(const Variant& asked, const SceneDescription& base,
     return render_with(engine, scene, how);
   };
   std::string why;
-  // Two seeds: what is wrong fails with both; chance, and samples too rare to know their variance, hardly do.
+  // Two seeds: a wrong prediction fails with both. Chance, and samples too rare to know their variance, hardly ever do.
   for (const std::uint64_t seed : {1, 2}) {
     const Rendering from = render(whole, variant.base_width, variant.base_height, 2 * seed);
     const Rendering got = render(variant.scene, variant.width, variant.height, 2 * seed + 1);

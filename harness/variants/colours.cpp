@@ -12,7 +12,7 @@
 namespace photonproof::inline harness_variants {
 namespace {
 
-/// Asked of `describe` (scenes/description/description.h), it changes the colours and leaves the rest.
+/// Called by `describe` (scenes/description/description.h): changes the colours and leaves the rest.
 struct PluginColours {
   const ColourChange& change;
   bool emissions_only = false;

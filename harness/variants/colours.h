@@ -1,4 +1,4 @@
-// Every colour of a scene, changed by one rule.
+// Changes every colour of a scene by one rule.
 #pragma once
 
 #include <functional>
@@ -9,11 +9,12 @@ namespace photonproof::inline harness_variants {
 
 using ColourChange = std::function<RgbD(const RgbD&)>;
 
-/// Of BSDFs (indices of metals too), textures, media and lights. Throws InputError where a colour stands in a file, or
-/// follows from the sky's.
+/// Changes BSDFs (including metals' indices), textures, media and lights. Throws InputError where a colour is in a file
+/// or follows from the sky's.
 void change_all_colours(SceneDescription& scene, const ColourChange& change);
 
-/// Of lights alone, by a factor; lit by a file's image, too. Throws InputError where a light's radiance is a texture.
+/// Scales the lights alone, including those from an image file. Throws InputError where a light's radiance is a
+/// texture.
 void scale_lights(SceneDescription& scene, double factor);
 
 }  // namespace photonproof::inline harness_variants

@@ -1,4 +1,4 @@
-// Numbers drawn for a variant: functions of its seed.
+// Random numbers for a variant, as functions of its seed.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@ namespace photonproof::inline harness_variants {
 
 class VariantDraws {
  public:
-  /// Kinds draw from streams of their own, so that one seed gives different kinds different numbers.
+  /// Each kind has a stream of its own, so that one seed gives different kinds different numbers.
   VariantDraws(std::uint64_t seed, std::uint64_t stream) : start_(splitmix64(seed, stream + 1)) {}
   double uniform() { return static_cast<double>(splitmix64(start_, ++count_) >> 11) * 0x1p-53; }
   double between(double low, double high) { return low + (high - low) * uniform(); }

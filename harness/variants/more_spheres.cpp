@@ -70,7 +70,7 @@ std::optional<Obstacle> obstacle_of(const ShapeDescription& shape) {
   return known ? std::optional(obstacle) : std::nullopt;
 }
 
-/// From p to the nearest point of the box, which is exact as long as to_world keeps its axes at right angles.
+/// Distance from p to the box, exact as long as to_world keeps its axes at right angles.
 double distance_to(const Obstacle& o, const Vec3d& p) {
   if (o.round) {
     const Vec3d middle = o.to_world.point((o.low + o.high) * 0.5);
@@ -87,7 +87,7 @@ struct View {
   double half_x, half_y, near;  ///< half sides of the image at distance 1
 };
 
-/// Whether the whole ball lies in the image, behind the near plane.
+/// Whether the whole ball is in the image, behind the near plane.
 bool in_view(const View& view, const Vec3d& middle, double radius) {
   const Vec3d p = view.to_camera.point(middle);
   if (p.z - radius < view.near) return false;
@@ -124,7 +124,8 @@ const char* add_sphere(SceneDescription& scene, const Vec3d& middle, double radi
   return name;
 }
 
-/// A camera that stands at an angle of the box sees only what is before it; the water's level divides the room.
+/// The space for spheres. A camera at an angle to the box sees only what is before it, and the water's level divides
+/// the space.
 struct Room {
   Bounds bounds;
   std::vector<Obstacle> obstacles;

@@ -1,4 +1,4 @@
-// Spheres put where a scene has room.
+// Puts spheres into the free space of a scene.
 #pragma once
 
 #include <cstdint>
@@ -8,8 +8,8 @@
 
 namespace photonproof::inline harness_variants {
 
-/// Adds two to four spheres, diffuse, mirror and glass in turn from a seeded one on, which touch nothing and are seen
-/// by the camera. Says what it added. Throws InputError where the scene has no room or no bounds.
+/// Adds two to four spheres that touch nothing and are visible to the camera. They are diffuse, mirror and glass in
+/// turn, starting with a seeded one. Returns a description. Throws InputError where the scene has no room or no bounds.
 std::string add_spheres(SceneDescription& scene, std::uint64_t seed);
 
 }  // namespace photonproof::inline harness_variants

@@ -16,8 +16,7 @@ void move_light(EmitterDescription& emitter, const Transform& motion) {
       emitter.light);
 }
 
-/// Turns a shape that is its own mirror image over in local space, so that the whole transform keeps its handedness;
-/// leaves the others.
+/// Mirrors a symmetric shape in its local space, so that the whole transform keeps its handedness; leaves other shapes.
 Transform mirror_of_itself(const ShapeDescription& shape) {
   const Transform flip = Transform::scale({-1, 1, 1});
   return std::visit(
@@ -42,7 +41,7 @@ void mirror_in_view(SceneDescription& scene) {
   const std::optional<Transform> back = camera.inverse();
   if (!back) throw InputError(scene.where(scene.sensor.loc), "the camera's to_world has no inverse");
   const Transform mirror = camera * Transform::scale({-1, 1, 1}) * *back;
-  const bool textured = !scene.textures.empty();  // an image on the shape must be mirrored, too
+  const bool textured = !scene.textures.empty();  // an image on the shape must be mirrored too
   for (ShapeDescription& shape : scene.shapes) {
     shape.to_world = mirror * shape.to_world;
     if (!textured) shape.to_world = shape.to_world * mirror_of_itself(shape);

@@ -1,4 +1,4 @@
-// A scene as a whole, moved or mirrored.
+// Moves or mirrors a whole scene.
 #pragma once
 
 #include "scenes/description/description.h"
@@ -8,8 +8,8 @@ namespace photonproof::inline harness_variants {
 /// Turns and moves everything: shapes, lights, camera. Precondition: `motion` is a rotation and a translation.
 void move_everything(SceneDescription& scene, const Transform& motion);
 
-/// Mirrors everything but the camera in the plane through the camera's middle column, so that left and right change
-/// places in the image. Throws InputError where a light or texture has no mirror image that a scene could say.
+/// Mirrors everything except the camera in the plane through the camera's middle column, so that the image's left and
+/// right change places. Throws InputError where a scene file cannot express a light's or texture's mirror image.
 void mirror_in_view(SceneDescription& scene);
 
 }  // namespace photonproof::inline harness_variants

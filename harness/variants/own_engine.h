@@ -1,5 +1,5 @@
-// One of our own engines renders a scene that a description says: `photonproof render` as a process, as anybody's
-// program is run. For predictions of variants and for what diagnoses compare with.
+// Renders a scene description with one of our own engines: `photonproof render` as a process, run like any other
+// program. Predictions of variants and diagnoses use it.
 #pragma once
 
 #include <atomic>
@@ -18,9 +18,9 @@ namespace photonproof::inline harness_variants {
 
 struct OwnEngine {
   std::filesystem::path program;                 ///< photonproof
-  const std::atomic<bool>* interrupt = nullptr;  ///< ends a render that runs
-  double seconds = 300;                          ///< a render's limit
-  std::shared_ptr<ImageStore> kept{};            ///< renderings are kept there, by all they follow from; null: nowhere
+  const std::atomic<bool>* interrupt = nullptr;  ///< ends a running render
+  double seconds = 300;                          ///< limit for one render
+  std::shared_ptr<ImageStore> kept{};            ///< receives renderings, by all that they follow from; null: none
 };
 
 struct OwnRender {
@@ -31,7 +31,7 @@ struct OwnRender {
   std::vector<std::string> more = {};  ///< arguments of `photonproof render`
 };
 
-/// That render as an engine, to whose command `more` is added.
+/// The engine row of that render, with `more` added to its command.
 Engine own_row(const OwnRender& render);
 
 /// Linear radiance, with variance. May be called on several threads. Throws InputError when the program fails.

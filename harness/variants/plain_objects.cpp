@@ -25,7 +25,7 @@ RgbD plain_colour(const SceneDescription& scene, const Colour& colour, const Sou
   return *rgb;
 }
 
-/// As short as the numbers it was made of: 29 where rotations made it 29.000000000000004.
+/// Rounds away the error of rotations: 29 instead of 29.000000000000004.
 double rounded(double v, double scale) {
   char text[40];
   std::snprintf(text, sizeof(text), "%.12g", v);
@@ -100,7 +100,8 @@ void set_shape(const SceneDescription& scene, const ShapeDescription& shape, Pla
                           object.kind = PlainKind::rectangle;
                           object.a = t.vector({1, 0, 0});
                           object.b = t.vector({0, 1, 0});
-                          // A mirroring transform keeps the normal on local +z's side, which turns the cross product.
+                          // A mirroring transform keeps the normal on local +z's side, which reverses the cross
+                          // product.
                           const bool turned = dot(cross(object.a, object.b), t.vector({0, 0, 1})) < 0;
                           if (turned != shape.flip_normals) std::swap(object.a, object.b);
                         },
@@ -158,7 +159,7 @@ std::vector<PlainObject> plain_objects(const SceneDescription& scene) {
 
 namespace {
 
-/// The side of the image that the angle of view is along.
+/// The side of the image along which the angle of view is measured.
 double side_along_fov(const PerspectiveDescription& camera, double w, double h) {
   if (camera.fov_axis == FovAxis::y) return h;
   if (camera.fov_axis == FovAxis::smaller) return std::min(w, h);

@@ -1,4 +1,4 @@
-// A scene in the words of a course's scene files (scene_file.h): spheres, rectangles, boxes and water of four
+// A scene in the terms of a course's scene files (scene_file.h): spheres, rectangles, boxes and water of four
 // materials.
 #pragma once
 
@@ -15,14 +15,14 @@ enum class PlainMaterial { diffuse, mirror, glass, light };
 const char* word_of(PlainKind kind);
 const char* word_of(PlainMaterial material);
 
-/// Members mean what scene_file.h says of the names; what a kind has not is 0.
+/// The members are those of scene_file.h; values that a kind does not have are 0.
 struct PlainObject {
   std::string name;
   PlainKind kind = PlainKind::sphere;
   PlainMaterial material = PlainMaterial::diffuse;
   Vec3d middle{0, 0, 0};
   double radius = 0;
-  Vec3d a{0, 0, 0}, b{0, 0, 0}, c{0, 0, 0};  ///< half edges; of water, c is what a height of 1 displaces by
+  Vec3d a{0, 0, 0}, b{0, 0, 0}, c{0, 0, 0};  ///< half edges; of water, c is the displacement by a height of 1
   RgbD colour{0, 0, 0};
   double ior = 1;
   RgbD radiance{0, 0, 0};
@@ -37,7 +37,7 @@ struct PlainCamera {
   int shift_x, shift_y;  ///< pixels by which the image lies right of and below the view's middle
 };
 
-/// Both throw InputError, which names what these words cannot say.
+/// Both throw InputError, which names what these terms cannot express.
 std::vector<PlainObject> plain_objects(const SceneDescription& scene);
 PlainCamera plain_camera(const SceneDescription& scene, int width, int height);
 

@@ -78,7 +78,7 @@ data camera_data(const PlainCamera& plain) {
   return camera;
 }
 
-/// What the template asks for and nobody has would else be left out without a word.
+/// Throws for a name of the template without a value, which mustache would silently leave out.
 class StrictContext : public kainjow::mustache::context<std::string> {
  public:
   explicit StrictContext(const data* page) : context(page) {}

@@ -1,4 +1,4 @@
-// A course's scene file from a template: the numbers of course-1 and course-2, and what cannot be said.
+// A course's scene file from a template: the numbers of course-1 and course-2, and scenes that it cannot express.
 
 #include "harness/variants/scene_file.h"
 
@@ -59,7 +59,7 @@ TEST(SceneFile, says_where_a_part_of_a_view_lies) {
 TEST(SceneFile, of_a_mirrored_scene_keeps_normals_inside) {
   const Variant mirrored = make_variant("mirror", 1, scene_of_library("course-1"), 96, 96);
   const std::string text = scene_file_text(mirrored.scene, 96, 96, course_template, "t");
-  // The left wall is the right one now, and its normal -x: (0, 0, 50) x (0, 50, 0) = (-2500, 0, 0).
+  // The left wall is now the right one, with the normal -x: (0, 0, 50) x (0, 50, 0) = (-2500, 0, 0).
   EXPECT_THAT(text, testing::HasSubstr("sphere 27 -30 -30 20 mirror"));
   EXPECT_THAT(text, testing::HasSubstr("rectangle 50 0 0, 0 0 50, 0 50 0 left diffuse 0.92941176"));
   const Variant water = make_variant("mirror", 1, scene_of_library("course-2"), 96, 96);

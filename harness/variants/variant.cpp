@@ -21,7 +21,7 @@ namespace {
 
 using ImageChange = std::function<Image(const Image&)>;
 
-/// What it is to a pixel, it is to its variance.
+/// The variance of a pixel changes as the pixel does.
 void predict_by(Variant& variant, const ImageChange& change) {
   variant.predicted = change;
   variant.predicted_variance = change;
@@ -29,7 +29,7 @@ void predict_by(Variant& variant, const ImageChange& change) {
 
 Image same_image(const Image& image) { return image; }
 
-/// pick(x, y, channel) is the float of the new image.
+/// pick(x, y, channel) gives the new image's value.
 template <class Pick>
 Image image_of(int width, int height, const Pick& pick) {
   Image image(width, height);
@@ -53,7 +53,7 @@ bool has_water(const SceneDescription& scene) {
   });
 }
 
-/// Of the camera to where it looks: what moves are measured by.
+/// Distance from the camera to the origin of the farthest shape: the unit of moves.
 double scale_of(const SceneDescription& scene) {
   double far = 0;
   const Vec3d eye = scene.sensor.to_world.point({0, 0, 0});
@@ -81,7 +81,7 @@ void make_rigid_move(Variant& variant, const VariantOptions& options) {
   VariantDraws draws(variant.seed, 2);
   const Transform turn = drawn_turn(variant.scene, draws, options.axis_aligned);
   const double reach = scale_of(variant.scene) * 0.5;
-  // To whole numbers where the scene is large enough, so that a course's file stays easy to read.
+  // Moves are whole numbers if the scene is large enough, so that a course's file stays easy to read.
   const auto step = [&] {
     const double by = draws.between(0.2, 1) * (draws.below(2) == 0 ? -reach : reach);
     return reach >= 10 ? std::round(by) : std::round(by * 16) / 16;
@@ -94,7 +94,7 @@ void make_rigid_move(Variant& variant, const VariantOptions& options) {
 
 void make_light_scale(Variant& variant, const VariantOptions&) {
   VariantDraws draws(variant.seed, 3);
-  // More than 1: what was clamped at white stays so, and the prediction holds after clamping.
+  // A factor over 1 keeps clamped white clamped, so the prediction holds after clamping.
   const double factor = std::round(draws.between(1.25, 1.75) * 100) / 100;
   scale_lights(variant.scene, factor);
   const std::string words = format_number(factor);
@@ -138,7 +138,7 @@ void make_object_order(Variant& variant, const VariantOptions&) {
   std::vector<ShapeDescription>& shapes = variant.scene.shapes;
   if (shapes.size() < 2) throw InputError("object-order", "the scene has fewer than two objects");
   VariantDraws draws(variant.seed, 6);
-  // Sattolo: one cycle, so that no object keeps its place.
+  // Sattolo's algorithm: one cycle, so that no object keeps its place.
   for (std::size_t i = shapes.size() - 1; i > 0; --i)
     std::swap(shapes[i], shapes[static_cast<std::size_t>(draws.below(static_cast<int>(i)))]);
   variant.says = "objects in another order: its image is the base's";
@@ -179,7 +179,7 @@ void make_crop(Variant& variant, const VariantOptions& options) {
   auto* camera = std::get_if<PerspectiveDescription>(&variant.scene.sensor.camera);
   if (!camera) throw InputError("crop", "only the view of a perspective camera is narrowed");
   VariantDraws draws(variant.seed, 9);
-  const int quarters[] = {6, 8};  // of the base's size to the variant's, in quarters
+  const int quarters[] = {6, 8};  // base size by variant size, in quarters
   const int by = quarters[draws.below(2)];
   if (variant.width % 4 != 0 || variant.height % 4 != 0)
     throw InputError("crop", "the image's width and height must be multiples of 4");
@@ -193,7 +193,7 @@ void make_crop(Variant& variant, const VariantOptions& options) {
     top = draws.below(2 * top + 1);
   }
   camera->fov_degrees = 2 * 180 / M_PI * std::atan(std::tan(camera->fov_degrees * M_PI / 360) / zoom);
-  // Added to where a pixel is looked up, in parts of the narrower view.
+  // The principal point's offset, in parts of the narrower view.
   const double half_x = 0.5 * (variant.base_width - variant.width),
                half_y = 0.5 * (variant.base_height - variant.height);
   camera->principal_x = camera->principal_x * zoom + (left - half_x) / variant.width;

@@ -1,5 +1,5 @@
-// Hidden scenes with a known outcome, made from public ones. What a program that knows a scene by its number, ships an
-// image or skips what the public scenes do not need shows here cannot be prepared for: the variant is drawn by a seed.
+// Hidden scenes with a known outcome, made from public ones. A program may know a scene by its number, ship an image or
+// skip what public scenes do not need. It cannot prepare for these variants, since a seed draws them.
 //
 // | kind | scene | its image |
 // |---|---|---|
@@ -26,9 +26,8 @@
 namespace photonproof::inline harness_variants {
 
 struct VariantOptions {
-  /// For programs that know boxes and walls along the axes, a camera that looks at its image's middle, and level water:
-  /// rigid-move turns by quarters (about the vertical alone, and not at all where there is water), crop keeps to the
-  /// middle.
+  /// For programs that need boxes and walls along the axes, a camera at its image's middle, and level water. Then
+  /// rigid-move turns by quarters about the vertical, or not at all with water, and crop keeps to the middle.
   bool axis_aligned = false;
 };
 
@@ -39,34 +38,34 @@ struct Variant {
   int width = 0, height = 0;            ///< of the variant's image
   int base_width = 0, base_height = 0;  ///< of the base's image that the prediction starts from
   std::string says;                     ///< what was done, and what follows: "every light 1.4 times as bright: ..."
-  /// From the linear image of the base; empty: a new reference must be rendered. Where the base is clamped at white,
-  /// the prediction is right once it is clamped, too.
+  /// Predicts the variant's linear image from the base's; empty: a new reference must be rendered. Where the base is
+  /// clamped at white, the prediction is right after clamping too.
   std::function<Image(const Image&)> predicted;
-  std::function<Image(const Image&)> predicted_variance;  ///< of the pixels, from the base's
+  std::function<Image(const Image&)> predicted_variance;  ///< variance of the pixels, from the base's
   bool needs_reference() const { return !predicted; }
-  /// Whether the base that the prediction starts from has the size that was asked for.
+  /// Whether the prediction starts from a base of the requested size.
   bool starts_from_usual_base() const { return !needs_reference() && usual_base; }
   bool usual_base = true;
 };
 
-/// In the order of the table above.
+/// Names of the kinds, in the order of the table above.
 const std::vector<std::string>& variant_kinds();
 
-/// The variant of this kind of a scene whose images have this size. The same arguments, the same variant. Throws
-/// InputError where the kind is unknown or the scene does not allow it, and says why.
+/// The variant of this kind for a scene with images of this size; the same arguments give the same variant. Throws
+/// InputError with the reason where the kind is unknown or the scene does not allow it.
 Variant make_variant(const std::string& kind, std::uint64_t seed, const SceneDescription& base, int width, int height,
                      const VariantOptions& options = {});
 
 struct PredictionCheck {
-  int longer_side = 48;  ///< pixels of what is rendered for it
+  int longer_side = 48;  ///< pixels of the check's images
   int spp = 256;
   std::string integrator = "path";
-  double alpha = 0.001;  ///< of one comparison; a prediction falls when two with other seeds both fail
+  double alpha = 0.001;  ///< of one comparison; a prediction fails when two with different seeds both fail
 };
 
-/// Our own engine renders base and variant, and `agreement` (harness/statistics/agreement.h) tests the prediction.
-/// Empty where it holds, or nothing is predicted; else why the variant must not be used. Throws InputError when a
-/// render fails.
+/// Renders base and variant with our own engine and tests the prediction by `agreement`
+/// (harness/statistics/agreement.h). Empty if it holds, or if there is none; else the reason why the variant must not
+/// be used. Throws InputError when a render fails.
 std::string check_prediction(const Variant& variant, const SceneDescription& base, const OwnEngine& engine,
                              const VariantOptions& options = {}, const PredictionCheck& check = {});
 

@@ -1,4 +1,4 @@
-// Predictions of variants, held against our own engine; what the predictions would miss.
+// Tests predictions of variants against our own engine, with mistakes that must be found.
 
 #include "harness/variants/variant.h"
 
@@ -88,7 +88,7 @@ TEST(Variants, say_which_scene_does_not_allow_them) {
 }
 
 TEST(Variants, of_a_clamped_base_are_right_once_clamped) {
-  // White stays white: the factor is more than 1, so what the clamp hid is hidden in the variant, too.
+  // White stays white: the factor is more than 1, so the variant hides what the clamp hid.
   const Variant variant = make_variant("light-scale", 3, library_scene("course-1"), 48, 48);
   Image base(1, 1);
   base.rgb = {0.25f, 1, 1};

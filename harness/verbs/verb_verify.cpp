@@ -44,15 +44,15 @@ std::string command_of(const VerifyArguments& arguments) {
 VerifyOptions verify_options(const VerifyArguments& arguments) {
   VerifyOptions options;
   const bool is_terminal = isatty(STDERR_FILENO) != 0;
-  options.studio.folder = arguments.output;
-  options.studio.program = fs::read_symlink("/proc/self/exe");
-  options.studio.rows = arguments.rows;
-  options.studio.power = arguments.power > 0 ? arguments.power : arguments.quick ? 0.05 : 0.02;
-  options.studio.seconds = arguments.seconds > 0 ? arguments.seconds : arguments.quick ? 5 : 20;
-  options.studio.quality = arguments.quick ? 1 : 2;
-  options.studio.threads = arguments.threads;
-  options.studio.interrupt = &interrupt_flag();
-  options.engines = {arguments.rows, arguments.engines, options.studio.program};
+  options.renderer.folder = arguments.output;
+  options.renderer.program = fs::read_symlink("/proc/self/exe");
+  options.renderer.rows = arguments.rows;
+  options.renderer.power = arguments.power > 0 ? arguments.power : arguments.quick ? 0.05 : 0.02;
+  options.renderer.seconds = arguments.seconds > 0 ? arguments.seconds : arguments.quick ? 5 : 20;
+  options.renderer.quality = arguments.quick ? 1 : 2;
+  options.renderer.threads = arguments.threads;
+  options.renderer.interrupt = &interrupt_flag();
+  options.engines = {arguments.rows, arguments.engines, options.renderer.program};
   for (const std::string& scene : arguments.scenes) options.scenes.emplace_back(scene);
   options.probes = arguments.probes;
   options.version = version_line();
@@ -64,7 +64,7 @@ VerifyOptions verify_options(const VerifyArguments& arguments) {
     options.height = film.height;
   }
   if (is_terminal)
-    options.studio.at_work = [](const std::string& what) {
+    options.renderer.at_work = [](const std::string& what) {
       std::fprintf(stderr, "\r\033[K%s", what.c_str());
       std::fflush(stderr);
     };
@@ -77,7 +77,7 @@ VerifyOptions verify_options(const VerifyArguments& arguments) {
 int verify(const VerifyArguments& arguments) {
   const VerifyOptions options = verify_options(arguments);
   const VerifyRecord record = run_verify(options);
-  const fs::path folder = options.studio.folder, page = folder / "verify.html";
+  const fs::path folder = options.renderer.folder, page = folder / "verify.html";
   write_verify_page(record, folder, page);
   if (!arguments.markdown.empty()) write_file_atomically(arguments.markdown, verify_markdown(record));
   if (!arguments.csv.empty()) write_file_atomically(arguments.csv, verify_csv(record));

@@ -79,14 +79,15 @@ Image signed_difference(const Image& first, const Image& second) {
   return out;
 }
 
-FaultLocator::FaultLocator(const Studio& studio, const StudioScene& scene, const SceneDescription& description)
-    : studio_(studio), scene_(scene), description_(description) {}
+FaultLocator::FaultLocator(const EngineRenderer& renderer, const RenderedScene& scene,
+                           const SceneDescription& description)
+    : renderer_(renderer), scene_(scene), description_(description) {}
 
-StudioScene FaultLocator::write_pass(const std::string& name, const SceneDescription& pass) const {
+RenderedScene FaultLocator::write_pass(const std::string& name, const SceneDescription& pass) const {
   const std::string text = write_scene(with_absolute_files(pass));
-  const fs::path folder = studio_.options().folder / "passes" / scene_.name;
+  const fs::path folder = renderer_.options().folder / "passes" / scene_.name;
   fs::create_directories(folder);
-  StudioScene out;
+  RenderedScene out;
   out.name = scene_.name + "-" + name;
   out.file = folder / (name + ".xml");
   write_file_atomically(out.file, text);
@@ -103,7 +104,7 @@ void FaultLocator::draw(const EnginePicture& right, const EnginePicture& odd, co
   for (const float v : right.rendering.mean.rgb) brightest += double{v} / double(right.rendering.mean.rgb.size());
   const double exposure = brightest > 0 ? std::log2(0.25 / brightest) : 0;
   const auto write = [&](const std::string& kind, const Image& image, double stops) {
-    write_png((studio_.options().folder / (stem + kind + ".png")).string(), image, stops);
+    write_png((renderer_.options().folder / (stem + kind + ".png")).string(), image, stops);
     return stem + kind + ".png";
   };
   fault.right_picture = write("-right", right.rendering.mean, exposure);
@@ -115,14 +116,14 @@ void FaultLocator::look_for_pass(const Suspect& odd, const std::vector<Believed>
                                  VerifyFault& fault) const {
   std::string not_rendered;
   for (const ScenePass& pass : passes_of(description_)) {
-    StudioScene scene = write_pass(pass.name, pass.scene);
+    RenderedScene scene = write_pass(pass.name, pass.scene);
     scene.description = &pass.scene;
-    const Shot of_odd = studio_.shoot(scene, odd.engine);
+    const EngineRender of_odd = renderer_.render(scene, odd.engine);
     std::optional<EnginePicture> of_right;
     for (const Believed& believed : right) {
       if (!of_odd.picture) break;
       if (believed.engine == nullptr) continue;
-      if (of_right = studio_.shoot(scene, *believed.engine).picture; of_right) break;
+      if (of_right = renderer_.render(scene, *believed.engine).picture; of_right) break;
     }
     if (!of_odd.picture || !of_right) {
       not_rendered += (not_rendered.empty() ? "" : ", ") + pass.name;

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "harness/verify/engine_renderer.h"
 #include "harness/verify/picture_pair.h"
-#include "harness/verify/studio.h"
 #include "reports/verify/verify_record.h"
 #include "scenes/description/description.h"
 
@@ -24,8 +24,8 @@ struct Believed {
 
 class FaultLocator {
  public:
-  /// Renders passes of `description` in the studio; their scenes and pictures go into its folder.
-  FaultLocator(const Studio& studio, const StudioScene& scene, const SceneDescription& description);
+  /// Renders passes of `description` in the renderer; their scenes and pictures go into its folder.
+  FaultLocator(const EngineRenderer& renderer, const RenderedScene& scene, const SceneDescription& description);
 
   /// `right`: those who agree, the first first; one that cannot render a pass is passed over. Precondition: not empty.
   VerifyFault locate(const Suspect& odd, const std::vector<Believed>& right) const;
@@ -33,11 +33,11 @@ class FaultLocator {
  private:
   void look_for_pass(const Suspect& odd, const std::vector<Believed>& right, const PairTest& whole,
                      VerifyFault& fault) const;
-  StudioScene write_pass(const std::string& name, const SceneDescription& pass) const;
+  RenderedScene write_pass(const std::string& name, const SceneDescription& pass) const;
   void draw(const EnginePicture& right, const EnginePicture& odd, const std::string& name, VerifyFault& fault) const;
 
-  const Studio& studio_;
-  const StudioScene& scene_;
+  const EngineRenderer& renderer_;
+  const RenderedScene& scene_;
   const SceneDescription& description_;
 };
 

@@ -6,7 +6,7 @@
 #include <functional>
 #include <random>
 
-#include "harness/verify/studio.h"
+#include "harness/verify/engine_renderer.h"
 
 namespace photonproof::inline harness_verify {
 namespace {

@@ -18,7 +18,7 @@ class PlantedFaults : public VerifyTest {
   }
 
   void expect_blamed(const std::string& rows, const std::vector<std::string>& others, const std::string& pass,
-                     const std::string& said = "", const std::string& power = "0.02") const {
+                     const std::string& message = "", const std::string& power = "0.02") const {
     put("rows.toml", rows);
     std::vector<std::string> options{"--engines", path("rows.toml"), "--engine", "odd", "--power", power};
     for (const std::string& other : others) options.insert(options.end(), {"--engine", other});
@@ -30,7 +30,7 @@ class PlantedFaults : public VerifyTest {
     EXPECT_EQ(scene.faults[0].engine, "odd");
     EXPECT_EQ(scene.faults[0].pass, pass) << outcome.standard_output << scene.faults[0].pass_words;
     EXPECT_EQ(scene.believed, others) << outcome.standard_output;
-    EXPECT_NE(scene.sentence.find(said), std::string::npos) << scene.sentence;
+    EXPECT_NE(scene.sentence.find(message), std::string::npos) << scene.sentence;
   }
 };
 

@@ -112,23 +112,23 @@ fs::path cache_file(const std::string& content, const VerifyEngine& engine, doub
   }
 }
 
-VerifyProbe probed(const Studio& studio, const Probe& probe, const VerifyEngine& engine) {
+VerifyProbe probed(const EngineRenderer& renderer, const Probe& probe, const VerifyEngine& engine) {
   const std::string content = content_of(probe);
-  const fs::path kept = cache_file(content, engine, studio.options().power);
+  const fs::path kept = cache_file(content, engine, renderer.options().power);
   if (!kept.empty() && fs::exists(kept))
     if (auto known = verify_probe_from(read_file(kept)); known && known->engine == engine.row.name) return *known;
   std::string name = probe.what;
   std::ranges::replace(name, ' ', '-');
-  const fs::path file = studio.options().folder / "probes" / (name + ".xml");
+  const fs::path file = renderer.options().folder / "probes" / (name + ".xml");
   fs::create_directories(file.parent_path());
   const SceneDescription description = write_probe(probe, file);
-  const StudioScene scene{"probe-" + name, file, content_key({{"probe", content}}), kSide, kSide, {}, &description};
-  const Shot shot = studio.shoot(scene, engine);
-  if (!shot.picture) {
-    VerifyProbe refused{engine.row.name, probe.kind, probe.what, "not rendered", shot.detail, {}, {}, {}};
+  const RenderedScene scene{"probe-" + name, file, content_key({{"probe", content}}), kSide, kSide, {}, &description};
+  const EngineRender render = renderer.render(scene, engine);
+  if (!render.picture) {
+    VerifyProbe refused{engine.row.name, probe.kind, probe.what, "not rendered", render.detail, {}, {}, {}};
     return refused;
   }
-  VerifyProbe result = judged(probe, engine, *shot.picture);
+  VerifyProbe result = judged(probe, engine, *render.picture);
   std::error_code ignored;  // a cache that cannot be written is none
   if (!kept.empty() && (fs::create_directories(kept.parent_path(), ignored), !ignored)) {
     try {
@@ -241,7 +241,7 @@ ProbeFit fit_probe(const Probe& probe, const EnginePicture& picture) {
   return fit;
 }
 
-std::vector<VerifyProbe> probe_engines(const Studio& studio, const std::vector<VerifyEngine>& engines,
+std::vector<VerifyProbe> probe_engines(const EngineRenderer& renderer, const std::vector<VerifyEngine>& engines,
                                        const std::vector<std::string>& kinds, const std::vector<VerifyProbe>& known) {
   std::vector<VerifyProbe> results;
   for (const Probe& probe : probe_rows()) {
@@ -249,7 +249,7 @@ std::vector<VerifyProbe> probe_engines(const Studio& studio, const std::vector<V
     for (const VerifyEngine& engine : engines) {
       const auto is_this = [&](const VerifyProbe& p) { return p.what == probe.what && p.engine == engine.row.name; };
       if (engine.version.problem || std::ranges::any_of(known, is_this)) continue;
-      results.push_back(probed(studio, probe, engine));
+      results.push_back(probed(renderer, probe, engine));
     }
   }
   return results;

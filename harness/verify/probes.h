@@ -8,7 +8,7 @@
 #include <variant>
 #include <vector>
 
-#include "harness/verify/studio.h"
+#include "harness/verify/engine_renderer.h"
 #include "reports/verify/verify_record.h"
 #include "scenes/description/description.h"
 #include "scenes/images/image.h"
@@ -50,7 +50,7 @@ ProbeFit fit_probe(const Probe& probe, const EnginePicture& picture);
 
 /// Of the engines and the named kinds, without those that `known` has. Results are kept in the cache by the engine's
 /// version, where it tells one. Throws VerifyInterrupted.
-std::vector<VerifyProbe> probe_engines(const Studio& studio, const std::vector<VerifyEngine>& engines,
+std::vector<VerifyProbe> probe_engines(const EngineRenderer& renderer, const std::vector<VerifyEngine>& engines,
                                        const std::vector<std::string>& kinds, const std::vector<VerifyProbe>& known);
 
 }  // namespace photonproof::inline harness_verify

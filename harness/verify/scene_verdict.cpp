@@ -44,9 +44,9 @@ struct Side {
 
 class SceneJudge {
  public:
-  SceneJudge(const Studio& studio, const StudioScene& scene, const SceneDescription& description,
+  SceneJudge(const EngineRenderer& renderer, const RenderedScene& scene, const SceneDescription& description,
              const std::vector<VerifyProbe>& probes)
-      : studio_(studio), scene_(scene), description_(description), probes_(probes) {
+      : renderer_(renderer), scene_(scene), description_(description), probes_(probes) {
     out_.name = scene.name;
     out_.path = scene.file.string();
     out_.width = scene.crop ? scene.crop->width : scene.width;
@@ -69,14 +69,14 @@ class SceneJudge {
 
  private:
   void add_engine(const VerifyEngine& engine) {
-    const Shot shot = studio_.shoot(scene_, engine);
+    const EngineRender render = renderer_.render(scene_, engine);
     VerifyPicture picture;
     picture.engine = engine.row.name;
-    picture.status = to_string(shot.status);
-    picture.detail = shot.detail;
-    picture.command = shot.command;
-    if (shot.picture) {
-      const EnginePicture& drawn = *shot.picture;
+    picture.status = to_string(render.status);
+    picture.detail = render.detail;
+    picture.command = render.command;
+    if (render.picture) {
+      const EnginePicture& drawn = *render.picture;
       picture.seconds = drawn.seconds;
       picture.samples = drawn.samples;
       picture.declared_whole = drawn.declared.whole;
@@ -86,7 +86,7 @@ class SceneJudge {
       for (std::size_t i = 0; i < drawn.rendering.mean.rgb.size(); ++i)
         picture.mean[i % 3] += double{drawn.rendering.mean.rgb[i]} / double(drawn.rendering.mean.pixels());
       picture.picture = "pictures/" + scene_.name + "-" + engine.row.name + ".png";
-      write_png((studio_.options().folder / picture.picture).string(), drawn.rendering.mean, out_.exposure);
+      write_png((renderer_.options().folder / picture.picture).string(), drawn.rendering.mean, out_.exposure);
       sides_.push_back({{engine.row.name, engine.sampling, false}, &engine, {{0, drawn}}, {}});
     }
     out_.pictures.push_back(std::move(picture));
@@ -115,8 +115,8 @@ class SceneJudge {
   const EnginePicture* picture_of(Side& side, int series) {
     if (side.pictures.empty()) return nullptr;
     if (series > 0 && side.engine != nullptr && side.engine->counts_samples() && !side.pictures.contains(series)) {
-      Shot shot = studio_.shoot(scene_, *side.engine, series);
-      if (shot.picture) side.pictures.emplace(series, std::move(*shot.picture));
+      EngineRender render = renderer_.render(scene_, *side.engine, series);
+      if (render.picture) side.pictures.emplace(series, std::move(*render.picture));
     }
     const auto found = side.pictures.find(series);
     return found != side.pictures.end() ? &found->second : &side.pictures.at(0);
@@ -136,7 +136,7 @@ class SceneJudge {
     PairTest result = test(sides_[i], sides_[j], 0);
     // Chance has one more try; what differs differs again. An outlier need not, and proves enough by itself.
     if (result.differs && !result.has_outlier) result = test(sides_[i], sides_[j], 1);
-    const double asked = 1.5 * studio_.options().power + declared_by(sides_[i]) + declared_by(sides_[j]);
+    const double asked = 1.5 * renderer_.options().power + declared_by(sides_[i]) + declared_by(sides_[j]);
     // Who may be off by a quarter witnesses nothing.
     constexpr double most_declared = 0.25;
     const bool says_little = std::max(declared_by(sides_[i]), declared_by(sides_[j])) > most_declared;
@@ -196,7 +196,7 @@ class SceneJudge {
       out_.faults.push_back(std::move(fault));
       return;
     }
-    const FaultLocator locator(studio_, scene_, description_);
+    const FaultLocator locator(renderer_, scene_, description_);
     out_.faults.push_back(locator.locate({*side.engine, side.pictures.at(0)}, believed));
   }
 
@@ -229,7 +229,7 @@ class SceneJudge {
       std::erase_if(others, [&](std::size_t other) { return !blind(other).empty() && light(other) <= light(side); });
       const std::vector<Believed> seeing = believed_engines(others);
       if (seeing.empty()) continue;
-      const FaultLocator locator(studio_, scene_, description_);
+      const FaultLocator locator(renderer_, scene_, description_);
       if (locator.locate({*sides_[side].engine, sides_[side].pictures.at(0)}, seeing).pass == "caustic")
         set_aside(side, why);
     }
@@ -386,8 +386,8 @@ class SceneJudge {
     }
   }
 
-  const Studio& studio_;
-  const StudioScene& scene_;
+  const EngineRenderer& renderer_;
+  const RenderedScene& scene_;
   const SceneDescription& description_;
   const std::vector<VerifyProbe>& probes_;
   VerifyScene out_;
@@ -398,9 +398,10 @@ class SceneJudge {
 
 }  // namespace
 
-VerifyScene verify_scene(const Studio& studio, const StudioScene& scene, const SceneDescription& description,
-                         const std::vector<VerifyEngine>& engines, const std::vector<VerifyProbe>& probes) {
-  return SceneJudge(studio, scene, description, probes).judge(engines);
+VerifyScene verify_scene(const EngineRenderer& renderer, const RenderedScene& scene,
+                         const SceneDescription& description, const std::vector<VerifyEngine>& engines,
+                         const std::vector<VerifyProbe>& probes) {
+  return SceneJudge(renderer, scene, description, probes).judge(engines);
 }
 
 }  // namespace photonproof::inline harness_verify

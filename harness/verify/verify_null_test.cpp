@@ -12,8 +12,8 @@
 
 #include "harness/statistics/pooled_pictures.h"
 #include "harness/statistics/test_noise_kinds.h"
+#include "harness/verify/engine_renderer.h"
 #include "harness/verify/picture_pair.h"
-#include "harness/verify/studio.h"
 #include "scenes/images/mean_error.h"
 
 namespace photonproof::inline harness_verify {

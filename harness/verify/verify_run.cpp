@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 
 /// A scene as it was read, before anything is rendered.
 struct ReadScene {
-  StudioScene scene;
+  RenderedScene scene;
   SceneDescription description;
   std::string purpose;
 };
@@ -92,7 +92,7 @@ VerifyRecord new_record(const VerifyOptions& options, const std::vector<VerifyEn
   record.created = utc_now();
   record.program = options.version;
   record.command = options.command;
-  record.power = options.studio.power;
+  record.power = options.renderer.power;
   const Host host = describe_host();
   record.host = host.cpu + ", " + std::to_string(host.cores) + " cores, " + host.os;
   for (const VerifyEngine& engine : engines)
@@ -107,20 +107,20 @@ VerifyRecord run_verify(VerifyOptions options) {
   const std::vector<ReadScene> scenes = read_scenes(options);
   const std::vector<VerifyEngine> engines = verify_engines(options.engines);
   check_engines(engines, options.engines);
-  const FolderLock lock(options.studio.folder);
-  fs::create_directories(options.studio.folder / "pictures");
-  const Studio studio(options.studio);
+  const FolderLock lock(options.renderer.folder);
+  fs::create_directories(options.renderer.folder / "pictures");
+  const EngineRenderer renderer(options.renderer);
   const Timer timer;
   VerifyRecord record = new_record(options, engines);
-  const fs::path file = options.studio.folder / "verify.json";
+  const fs::path file = options.renderer.folder / "verify.json";
   try {
     for (const ReadScene& read : scenes) {
       if (options.probes)
-        for (VerifyProbe& probe : probe_engines(studio, engines, kinds_in(read.description), record.probes))
+        for (VerifyProbe& probe : probe_engines(renderer, engines, kinds_in(read.description), record.probes))
           record.probes.push_back(std::move(probe));
-      StudioScene scene = read.scene;
+      RenderedScene scene = read.scene;
       scene.description = &read.description;
-      record.scenes.push_back(verify_scene(studio, scene, read.description, engines, record.probes));
+      record.scenes.push_back(verify_scene(renderer, scene, read.description, engines, record.probes));
       record.scenes.back().purpose = read.purpose;
       record.seconds = timer.seconds();
       write_verify_record(record, file);

@@ -7,14 +7,14 @@
 #include <string>
 #include <vector>
 
-#include "harness/verify/studio.h"
+#include "harness/verify/engine_renderer.h"
 #include "harness/verify/verify_engines.h"
 #include "reports/verify/verify_record.h"
 
 namespace photonproof::inline harness_verify {
 
 struct VerifyOptions {
-  StudioOptions studio;  ///< the folder is made and locked by run_verify
+  EngineRendererOptions renderer;  ///< the folder is made and locked by run_verify
   EngineChoice engines;
   std::vector<std::filesystem::path> scenes;  ///< files, or folders with a scene.xml
   int width = 0, height = 0;                  ///< 0: of the stored reference, else 64 pixels on the longer side

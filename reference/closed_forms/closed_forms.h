@@ -1,4 +1,4 @@
-// Radiometry that can be written down, by topic. Every value is of one colour channel; lengths in scene units.
+// Closed-form radiometry by topic. Every value is of one colour channel; lengths are in scene units.
 #pragma once
 
 #include "reference/closed_forms/closed_forms_caustics.h"

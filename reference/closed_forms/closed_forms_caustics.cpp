@@ -11,7 +11,7 @@ namespace {
 
 using std::numbers::pi;
 
-/// Sum of weight(x) / |f'(x)| over the solutions of f(x) = target in (from, to), which `steps` steps tell apart.
+/// Sum of weight(x) / |f'(x)| over the solutions of f(x) = target in (from, to), searched in `steps` equal intervals.
 template <class F, class Weight>
 double sum_over_solutions(const F& f, const Weight& weight, double target, double from, double to, int steps) {
   const double step = (to - from) / steps;

@@ -74,8 +74,8 @@ TEST(ClosedForms, ball_lens_lights_rings_as_traced_rays_do) {
 }
 
 TEST(ClosedForms, ball_lens_has_the_paraxial_limit) {
-  // Near the axis r = h (1 - screen/f), f = n R / (2 (n - 1)) from the centre: 1.5 for n = 1.5, R = 1; so at 2 E is
-  // (1-F)^2 / (1/3)^2 with F = 0.04 of straight rays alone.
+  // Near the axis r = h (1 - screen/f), with f = n R / (2 (n - 1)) from the centre: f = 1.5 for n = 1.5, R = 1. At
+  // screen = 2 straight rays alone therefore give E = (1-F)^2 / (1/3)^2 with F = 0.04.
   EXPECT_NEAR(trace_ball({1, 1.5, 2}, 1e-4, 1).landing, -1e-4 / 3, 1e-10);
   const BallRay ray = trace_ball({1, 1.5, 2}, 1e-4, 1);
   EXPECT_NEAR(ray.part, 0.96 * 0.96, 1e-7);
@@ -122,7 +122,7 @@ TEST(ClosedForms, sinusoidal_water_is_a_row_of_lenses) {
   const double T = 1 - std::pow(0.33 / 2.33, 2);
   EXPECT_NEAR(water_irradiance(shallow, 0), T / magnification, 1e-5);
   EXPECT_NEAR(water_irradiance(shallow, 3), T / magnification, 1e-5) << "periodic";
-  // What lands on one wavelength is what enters on one.
+  // Over one wavelength the flux that lands equals the flux that enters.
   const double entering = integral([&](double x) { return trace_water(shallow, x).transmittance; }, 0, 1, 100);
   EXPECT_NEAR(integral([&](double x) { return water_irradiance(shallow, x); }, 0, 1, 100), entering, 1e-6);
 }

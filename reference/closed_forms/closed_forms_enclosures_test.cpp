@@ -23,7 +23,7 @@ TEST(ClosedForms, furnace_is_the_limit_of_its_bounces) {
 }
 
 TEST(ClosedForms, integrating_sphere_balances_its_energy) {
-  // What the wall absorbs, (1 - rho) times its mean irradiance flux / (4 pi R^2) + indirect, is all that comes in.
+  // The wall absorbs all flux that enters: (1 - rho) times its mean irradiance flux / (4 pi R^2) + indirect.
   const double flux = 20, albedo = 0.8, radius = 1.7, area = 4 * pi * radius * radius;
   const double total = flux / area + integrating_sphere_indirect(flux, albedo, radius);
   EXPECT_NEAR((1 - albedo) * total * area, flux, 1e-13);
@@ -88,13 +88,13 @@ double factor_by_quadrature(const std::function<Vec3d(double, double)>& other, c
 }
 
 TEST(ClosedForms, cube_faces_see_each_other_as_quadrature_says) {
-  // Midpoints err by the square of the step, which two steps tell: (4 F(h) - F(2h)) / 3.
+  // The midpoint rule's error is of order step^2; two step sizes cancel it: (4 F(h) - F(2h)) / 3.
   const auto opposite = [](int n) {
     return factor_by_quadrature([](double s, double t) { return Vec3d{s, t, 1}; }, {0, 0, -1}, n);
   };
   EXPECT_NEAR(cube_factor_opposite(), (4 * opposite(40) - opposite(20)) / 3, 1e-7);
   EXPECT_NEAR(cube_factor_opposite(), 0.1998, 5e-5) << "the table's value";
-  // The kernel is singular along the common edge: there they err by the step itself, 2 F(h) - F(2h).
+  // The kernel is singular along the common edge: there the error is of the order of the step itself: 2 F(h) - F(2h).
   const auto adjacent = [](int n) {
     return factor_by_quadrature([](double s, double t) { return Vec3d{0, s, t}; }, {1, 0, 0}, n);
   };

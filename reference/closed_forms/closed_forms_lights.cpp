@@ -46,8 +46,8 @@ double irradiance_of_sphere(double radiance, const Vec3d& center, double radius,
 
 double irradiance_of_cylinder(double radiance, const Vec3d& p0, const Vec3d& p1, double radius,
                               const SurfacePoint& at) {
-  // Seen is the side up to where a tangent from the point touches, acos(R / rho) from the point's own azimuth, at the
-  // distance rho from the axis; as the outside of a convex body, nothing of it is hidden.
+  // The visible side ends where a tangent from the point touches: acos(R / rho) from the point's own azimuth, at the
+  // distance rho from the axis. The outside of a convex body hides no part of that side.
   constexpr int along = 4, around = 16;
   const double gauss = 0.5 / std::sqrt(3.0);
   const auto node = [&](int i) { return i / 2 + 0.5 + (i % 2 == 0 ? -gauss : gauss); };

@@ -54,7 +54,7 @@ TEST(ClosedForms, polygon_is_clipped_at_the_horizon) {
   EXPECT_NEAR(irradiance_of_polygon(7, ceiling, at), expected, 1e-5 * expected);
 }
 
-// Prisms of n sides, in the tube and around it, whose deviations of order 1/n^2 are 1 : -2.
+// Prisms of n sides, inscribed in the tube and around it, have errors of order 1/n^2 in the ratio 1 : -2.
 TEST(ClosedForms, cylinder_is_the_limit_of_prisms) {
   const Vec3d p0{-0.4, 2.5, 0}, p1{0.6, 2.2, 0.3};
   const SurfacePoint at{{0.8, 0, -0.6}, normalize(Vec3d{0.1, 1, 0.2})};

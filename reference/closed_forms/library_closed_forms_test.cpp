@@ -1,5 +1,5 @@
-// The means that expect.toml files state, from the closed forms and the scenes as they are parsed: a scene that is
-// changed, or a formula, no longer fits.
+// The means stated in expect.toml files, computed from the closed forms and the parsed scenes. A changed scene or
+// formula fails here.
 
 #include <gtest/gtest.h>
 
@@ -22,7 +22,7 @@ constexpr Vec3d kUp{0, 1, 0};
 
 SceneDescription load(const std::string& name) { return parse_scene_file(kLibrary + name + "/scene.xml"); }
 
-/// What the scene's file says against what the formula says; the file's numbers have seven digits.
+/// Compares the mean in the scene's file with the formula's; the file's numbers have seven digits.
 void expect_stated_mean(const std::string& name, const RgbD& mean) {
   const Expect expect = read_expect(kLibrary + name + "/expect.toml");
   ASSERT_TRUE(expect.analytic && expect.analytic->mean) << name;
@@ -45,8 +45,8 @@ Ray camera_ray(const SceneDescription& scene, double u, double v) {
 
 /// The mean over the image plane by the midpoint rule on n x n points: its error falls as the square of the step.
 template <class Radiance>
-/// With `sheared`, columns are shifted against each other: an edge along the rows would else be in or out for all of
-/// them at once.
+/// With `sheared`, columns are shifted against each other: otherwise an edge along the rows would be in or out for all
+/// of them at once.
 RgbD mean_over_image(const SceneDescription& scene, const Radiance& radiance, int n = 512, bool sheared = false) {
   RgbD sum{0.0};
   for (int i = 0; i < n; ++i) {
@@ -57,7 +57,7 @@ RgbD mean_over_image(const SceneDescription& scene, const Radiance& radiance, in
   return sum / (double{static_cast<double>(n)} * n);
 }
 
-/// Of a plane y = 0 of albedo 0.5 that fills the view, lit by E.
+/// Mean image of a plane y = 0 of albedo 0.5 that fills the view and has the irradiance E.
 RgbD mean_of_plane(const SceneDescription& scene, const std::function<double(const SurfacePoint&)>& irradiance,
                    int n = 512) {
   return mean_over_image(
@@ -148,7 +148,7 @@ TEST(library_mean, of_light_directional_and_constant) {
 TEST(library_mean, of_light_envmap) {
   const auto scene = load("light-envmap");
   const auto& sky = std::get<EnvmapDescription>(scene.emitters.at(0).light);
-  // Mitsuba's gather: the first row is the zenith, the last the nadir, linear between. E = 2 pi int L cos sin dt, L
+  // Mitsuba's lookup: the first row is the zenith, the last the nadir, linear between. E = 2 pi int L cos sin dt, L
   // the mean along the horizon, by the midpoint rule.
   const Image& image = *sky.image;
   const auto row_mean = [&](int y) {
@@ -243,7 +243,7 @@ TEST(library_mean, of_parallel_planes) {
                          scene, [&](const Ray& ray) { return ray.direction.y < 0 ? L.first : L.second; }, 4096));
 }
 
-/// Of the angle from z that a ray has.
+/// Mean image of a radiance that depends only on a ray's angle from z.
 template <class OfAngle>
 RgbD mean_over_angles(const SceneDescription& scene, const OfAngle& radiance) {
   return mean_over_image(scene, [&](const Ray& ray) { return radiance(std::acos(normalize(ray.direction).z)); });
@@ -266,10 +266,10 @@ TEST(library_mean, of_absorption) {
       }));
 }
 
-/// What flux that lands on a point of the plane y = 0 adds to the image's mean: albedo / pi over the area of the plane
-/// that the image shows there, as part of the image. With the camera at c looking along the unit w, a point p at the
-/// depth z = (p - c) w is seen at (p - c) / z, and an area dA there covers dA cos / (|p-c|^2) cos^-3 of the image
-/// plane, which is 2 tan(fov/2) wide.
+/// Share of the image plane that a unit area at the point p of the plane y = 0 covers; 0 outside the view. A camera at
+/// c that looks along the unit w sees p, at the depth z = (p - c) w, at (p - c) / z. An area dA at p covers
+/// dA cos / (|p-c|^2) cos^-3 of the image plane, which is 2 tan(fov/2) wide. Flux that lands at p adds albedo / pi
+/// times this share to the image's mean.
 double part_of_image(const SceneDescription& scene, const Vec3d& p) {
   const auto& camera = std::get<PerspectiveDescription>(scene.sensor.camera);
   const double half = std::tan(camera.fov_degrees / 2 * pi / 180);
@@ -319,7 +319,7 @@ TEST(library_mean, of_ball_lens) {
 TEST(library_mean, of_water_caustic) {
   const auto scene = load("water-caustic");
   const SinusoidalWater water{0.03, 0.5, 1, 1.33};
-  // By the beam's rays as above: rows across the waves, columns along them.
+  // The beam's rays as above: rows across the waves, columns along them.
   constexpr int across = 40001, along = 601;
   double mean = 0;
   for (int i = 0; i < across; ++i) {

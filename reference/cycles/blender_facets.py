@@ -1,6 +1,6 @@
-# Reflection and refraction that Cycles has no closure of: a direction is drawn here, and a mirror or a refracting
-# surface is turned so that light leaves that way, its colour being what the direction weighs. A hash of the point that
-# was met, which no two paths share, stands for random numbers. Lamps are found by chance alone.
+# Reflection and refraction models that Cycles has no closure for. The code samples a direction and turns a mirror or a
+# refracting surface so that light leaves that way; its colour is the direction's weight. The random numbers are a hash
+# of the hit point, which no two paths share. Only rays that hit lights by chance find them.
 
 def inner_share(index):
     """What a boundary to air reflects of diffuse light below it: the mean of Fresnel's share by the cosine."""

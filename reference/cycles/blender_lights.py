@@ -1,4 +1,4 @@
-# Materials, lamps, the world, and the pictures of them.
+# Materials, lights, the world, and their images.
 
 def material(name, surface=None, medium=None, sampled=True):
     """surface and medium: functions of a Graph. sampled: whether a lamp is aimed at, and not only found by chance."""
@@ -35,7 +35,7 @@ def lamp(name, kind, columns, strength, shader=None):
     return add(name, data, columns)
 
 
-# Watts of a lamp of radius 0 whose emission of strength 1 is an intensity of 1 W / sr.
+# Watts of a light of radius 0 whose emission of strength 1 is an intensity of 1 W / sr.
 POINT_POWER = 4 * math.pi
 
 

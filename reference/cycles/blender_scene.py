@@ -1,5 +1,5 @@
-# What the lines of a scene below are made of: Blender's objects, shaders and Cycles' settings. Each function states
-# what it stands for in the scene's own terms; conversions of units and directions are nowhere else.
+# Building blocks of the scene script below: Blender's objects, shaders and Cycles' settings. Each function states what
+# it stands for in the scene's own terms; conversions of units and directions are nowhere else.
 # Works with Blender 3.4 without numpy and without Open Shading Language.
 import array
 import math
@@ -60,7 +60,7 @@ def camera(kind, columns, near, far, tangents=(0, 0), middle=(0, 0), lens_radius
     the image from the axis, in halves of it."""
     data = bpy.data.cameras.new("camera")
     data.clip_start, data.clip_end = near, far
-    # Of a pixel's height and width, which Blender takes from 1 up.
+    # Ratio of a pixel's height and width; Blender accepts aspects from 1 up.
     tall = tangents[1] * SCENE.render.resolution_x / (tangents[0] * SCENE.render.resolution_y) if angle == 0 else 1
     SCENE.render.pixel_aspect_x, SCENE.render.pixel_aspect_y = max(1, 1 / tall), max(1, tall)
     wide = SCENE.render.resolution_x >= SCENE.render.resolution_y
@@ -71,7 +71,7 @@ def camera(kind, columns, near, far, tangents=(0, 0), middle=(0, 0), lens_radius
     elif kind == "orthographic":
         data.type, data.ortho_scale = "ORTHO", 2 * tangents[larger]
     else:
-        # Blender keeps a focal length in mm; the sensor's size is what the tangent is told by.
+        # Blender keeps a focal length in mm; the sensor's size sets the tangent.
         data.type, data.lens_unit, data.lens = "PERSP", "MILLIMETERS", 50
         setattr(data, "sensor_width" if wide else "sensor_height", 100 * tangents[larger])
         data.shift_x = middle[0] * tangents[0] / tangents[larger] / 2

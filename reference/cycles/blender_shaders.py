@@ -1,4 +1,4 @@
-# Shaders: what Blender has nodes for.
+# Shaders that Blender has nodes for.
 
 class Graph:
     """Writes a node tree; what a method gives back is an output that others take as an input."""

@@ -1,4 +1,4 @@
-# Shapes: meshes that are made once, whatever how many objects share them.
+# Shapes: each mesh is made once, however many objects share it.
 
 def polygons(name, positions, corners, size, uv=None, smooth=False, normals=None):
     """A mesh of polygons of `size` corners each: flat lists of coordinates, indices, and uv by vertex."""
@@ -70,7 +70,7 @@ def sphere_mesh(name, segments):
         return 0 if j == 0 else 1 if j == rings else 2 + (j - 1) * segments + i % segments
     for j in range(rings):
         for i in range(segments):
-            # Poles have a corner for every segment, whose u is the segment's middle.
+            # A pole has one corner per segment; its u is the segment's middle.
             u = [(i + 0.5) / segments if k in (0, rings) else m / segments
                  for m, k in ((i, j), (i, j + 1), (i + 1, j + 1), (i + 1, j))]
             face = [(at(i, j), u[0], j), (at(i, j + 1), u[1], j + 1), (at(i + 1, j + 1), u[2], j + 1),

@@ -51,8 +51,8 @@ double weight_of(const CyclesExport& scene, std::size_t batch) {
   return double(scene.batches[batch].samples) / scene.samples;
 }
 
-/// Variance of the weighed mean of what each of at least two batches gave, from their spread. A batch's variance is
-/// taken to be in proportion to 1 / samples.
+/// Variance of the weighted mean over at least two batches, from their spread. A batch's variance is assumed to be
+/// proportional to 1 / samples.
 template <class Value>
 double variance_of_mean(const CyclesExport& scene, double mean, const Value& value) {
   double sum = 0;
@@ -60,7 +60,7 @@ double variance_of_mean(const CyclesExport& scene, double mean, const Value& val
   return sum / double(scene.batches.size() - 1);
 }
 
-/// Of batches weighed by their samples: mean, variance of the mean, and how certain the image's mean is.
+/// Pools batches weighted by their samples: the mean, its variance, and the standard error of the image's mean.
 Rendering pooled_batches(const CyclesExport& scene, const std::vector<Image>& images) {
   Rendering out;
   out.mean = Image(images.front().width, images.front().height);
@@ -92,7 +92,7 @@ Rendering pooled_batches(const CyclesExport& scene, const std::vector<Image>& im
   return out;
 }
 
-/// Calls `progress` with the share of pictures that the script says on standard error are done.
+/// Calls `progress` with the share of batches that the script reports as done on standard error.
 struct Progress {
   std::size_t batches;
   std::function<void(double, const std::string&)> progress;
@@ -127,7 +127,7 @@ double relative_error_of_mean(const CyclesExport& scene, const std::vector<Image
 }  // namespace
 
 std::string blender_error(const std::string& console) {
-  // A traceback's last line has the exception; Blender's own lines start with what they are.
+  // A traceback's last line has the exception; Blender's own lines start with their kind.
   const std::size_t trace = console.rfind("Traceback (most recent call last):");
   if (trace != std::string::npos) {
     for (std::size_t at = console.find('\n', trace); at != std::string::npos;) {
@@ -143,8 +143,8 @@ std::string blender_error(const std::string& console) {
 CyclesRun render_cycles(const CyclesExport& scene, const CyclesRunOptions& options) {
   const ScratchFolder folder("cycles");
   write_script(scene, folder.path() / "scene.py");
-  // -b no window; a fixed start whatever the user has set up; an exception in the script is a failure.
-  // Blender takes a relative name for one of the folder that its caller's shell was in.
+  // -b: no window. A fixed start ignores the user's settings. An exception in the script is a failure.
+  // Blender resolves a relative name against the folder that its caller's shell was in.
   std::vector<std::string> argv{options.program,
                                 "-b",
                                 "--factory-startup",

@@ -24,24 +24,24 @@ struct CyclesRunOptions {
 };
 
 struct CyclesRun {
-  /// In the scene's radiance. Its variance, where there are two batches or more, is what their spread says of the mean;
-  /// photonproof:batches among its metadata says how many they are.
+  /// In the scene's radiance. With two batches or more its variance is the spread of their means;
+  /// photonproof:batches among its metadata is their number.
   Rendering rendering;
   std::string version;                 ///< "Blender 3.4.1"
-  std::string command;                 ///< as one would type it
-  double relative_standard_error = 0;  ///< of the image's mean, all channels; 0 from one batch
+  std::string command;                 ///< as typed in a shell
+  double relative_standard_error = 0;  ///< of the image's mean over all channels; 0 from one batch
   double wall_seconds = 0;
   double cpu_seconds = 0;
   std::uint64_t peak_bytes = 0;
-  std::vector<std::string> defects;  ///< of the image: values that are not finite
+  std::vector<std::string> defects;  ///< of the image: non-finite values
 };
 
 /// Throws InputError when Blender is not installed, EngineFailure when it does not finish with readable images of the
-/// size that was asked for. The temporary folder is gone in every case.
+/// requested size. The temporary folder is removed in every case.
 CyclesRun render_cycles(const CyclesExport& scene, const CyclesRunOptions& options = {});
 
-/// The line by which Blender's output says what went wrong: that of a Python exception or an error of Blender's; empty
-/// where there is none.
+/// The line of Blender's output that reports an error: a Python exception's or Blender's own. Empty where there is
+/// none.
 std::string blender_error(const std::string& console);
 
 }  // namespace photonproof::inline reference_cycles

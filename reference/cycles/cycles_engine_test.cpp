@@ -1,4 +1,4 @@
-// What becomes of a run of Blender, with programs in its place that do what Blender might.
+// Results of running Blender, tested with stand-in programs that imitate Blender's behaviour.
 #include "reference/cycles/cycles_engine.h"
 
 #include <gtest/gtest.h>
@@ -23,7 +23,7 @@ class CyclesEngine : public FolderTest {
     scene.batches = {{4, 1}, {4, 2}};
   }
 
-  /// Runs a shell script in Blender's place; `$images` is where its images go, `$made` where the test's lie.
+  /// Runs a shell script in Blender's place; `$images` is the folder of its images, `$made` that of the test's.
   CyclesRun run(const std::string& script) {
     put("blender", "#!/bin/sh\nfor last; do :; done\nimages=$(dirname \"$last\")\nmade='" + folder_.string() + "'\n" +
                        script + "\n");
@@ -32,7 +32,7 @@ class CyclesEngine : public FolderTest {
     return render_cycles(scene, options);
   }
 
-  /// What is thrown as a failure of the engine.
+  /// The message that is thrown as a failure of the engine.
   std::string failure(const std::string& script, EngineFailure::Kind kind = EngineFailure::Kind::failed) {
     try {
       run(script);
@@ -71,7 +71,7 @@ TEST_F(CyclesEngine, batches_are_averaged_and_their_spread_is_the_variance) {
   EXPECT_TRUE(done.defects.empty());
 }
 
-// Weighed by 6 and 2 of 8 samples the mean is 1.5, and the variance (3/4 (1/2)^2 + 1/4 (3/2)^2) / 1 = 3/4.
+// Weighted by 6 and 2 of 8 samples the mean is 1.5, and the variance (3/4 (1/2)^2 + 1/4 (3/2)^2) / 1 = 3/4.
 TEST_F(CyclesEngine, batches_weigh_by_their_samples) {
   scene.batches = {{6, 1}, {2, 2}};
   put_image("a.exr", 1);

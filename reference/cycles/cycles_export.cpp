@@ -24,8 +24,7 @@ namespace {
 
 constexpr int most_bounces = 1024;  // that Cycles takes
 
-/// Cycles counts what comes after light has left its light and met a surface: none is direct light, a path of two
-/// edges.
+/// Cycles counts bounces after the first surface that light meets: 0 bounces are direct light, a path of two edges.
 int bounces_of(const CyclesScript& script) {
   const SceneDescription& scene = script.scene();
   const int depth = scene.integrator.limits().max_depth;
@@ -38,8 +37,8 @@ int bounces_of(const CyclesScript& script) {
   return std::min(depth - 2, most_bounces);
 }
 
-/// Cycles' paths start at the camera: light of a light without size that mirrors or glass throw onto what is rough, or
-/// into fog, they never find.
+/// Cycles' paths start at the camera. They never find light of a light without size that mirrors or glass cast onto
+/// rough surfaces or into fog.
 void check_lights(const CyclesScript& script) {
   const SceneDescription& scene = script.scene();
   bool clear = false, chance = false, wide = !scene.media.empty();
@@ -76,8 +75,8 @@ std::string filter_py(CyclesScript& script) {
     case ReconstructionFilter::Kind::box:
       return "\"BOX\", 1";
     case ReconstructionFilter::Kind::gaussian:
-      // exp(-2 (6 x / w)^2) with w three times the width: a Gaussian of deviation width / 4, cut at 6 deviations where
-      // ours is cut at 4 and lowered by exp(-8) = 3e-4.
+      // Cycles' filter is exp(-2 (6 x / w)^2) with w three times the width: a Gaussian of deviation width / 4, cut at 6
+      // deviations. Ours is cut at 4 and lowered by exp(-8) = 3e-4.
       if (4 * filter.stddev > 10)
         script.refuse(scene.sensor.loc, "a Gaussian filter of a deviation above 2.5 pixels: Cycles has none so wide");
       if (!scene.sensor.film.sample_border)

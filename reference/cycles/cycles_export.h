@@ -1,5 +1,5 @@
 // Lowers a scene to Python for Blender 3.4, whose Cycles is a second unbiased path tracer that shares no code with
-// ours. Everything that is written is meant to be physically equal to the scene; what cannot be is refused by name.
+// ours. Everything written is meant to be physically equal to the scene; anything else is refused by name.
 #pragma once
 
 #include <filesystem>
@@ -13,11 +13,11 @@
 namespace photonproof::inline reference_cycles {
 
 struct CyclesExport {
-  std::string text;                       ///< the scene's own lines
-  std::vector<CyclesFile> files;          ///< that the lines read from the text's own folder
-  std::vector<std::string> explanations;  ///< every conversion; the comments of `text`
-  int width = 0, height = 0;              ///< of the whole film, of which a crop is kept
-  FilmDescription film;                   ///< of that size
+  std::string text;                       ///< The scene's own lines.
+  std::vector<CyclesFile> files;          ///< Files that the lines read from the text's own folder.
+  std::vector<std::string> explanations;  ///< Every conversion; the comments of `text`.
+  int width = 0, height = 0;              ///< Size of the whole film, of which a crop is kept.
+  FilmDescription film;                   ///< The film of that size.
   int samples = 0;
   int threads = 0;
   std::vector<CyclesBatch> batches;  ///< picture i goes to batch_i.exr in the text's own folder
@@ -26,10 +26,10 @@ struct CyclesExport {
 /// Throws NotRepresentable with the place of what Cycles cannot express.
 CyclesExport export_cycles(const SceneDescription& scene, const CyclesOptions& options);
 
-/// What the lines are made of (blender_*.py) followed by the lines: what `blender -b --python` runs.
+/// The building blocks (blender_*.py) followed by the scene's lines: the script that `blender -b --python` runs.
 std::string whole_script(const CyclesExport& scene);
 
-/// Writes the whole script to a file and what it reads beside it, each whole or not at all. Throws InputError when one
+/// Writes the whole script and the files that it reads beside it, each whole or not at all. Throws InputError when one
 /// cannot be written.
 void write_script(const CyclesExport& scene, const std::filesystem::path& target);
 

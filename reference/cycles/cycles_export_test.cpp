@@ -1,4 +1,4 @@
-// The exported text, held against what one writes by hand, and what is written only where a scene needs it.
+// The exported text compared with handwritten text, and lines that are written only where a scene needs them.
 #include "reference/cycles/cycles_export.h"
 
 #include <gtest/gtest.h>
@@ -136,9 +136,9 @@ TEST(cycles_export, lenses_filters_depths_and_hidden_lights_are_told) {
   EXPECT_NE(text.find(", material_0, hidden=True)\n"), std::string::npos) << text;
 }
 
-// The scene's box is 2 x 2 x 4 with the camera in it, its diagonal sqrt(24): squares of at most (sqrt(24) / 100 /
-// sqrt(2))^(1/3) = 0.326, so 7 of them across 2. A light as wide as 30 times the thinnest side of everything is not
-// aimed at.
+// The scene's box is 2 x 2 x 4 with the camera in it, so its diagonal is sqrt(24). Squares are at most
+// (sqrt(24) / 100 / sqrt(2))^(1/3) = 0.326 wide, so 7 of them span 2. A light 30 times as wide as the scene's thinnest
+// side is not sampled directly.
 TEST(cycles_export, rectangular_lights_are_squares_and_wide_ones_are_met_by_chance) {
   const auto light = [](const std::string& scale) {
     return exported(kCamera + "<shape type='rectangle'><transform name='to_world'><scale value='" + scale +
@@ -193,7 +193,7 @@ TEST(cycles_export, comments_cannot_be_left) {
   EXPECT_EQ(text.find("\nimport"), std::string::npos);
 }
 
-/// The reason for which a scene of the library is refused; empty when it is not.
+/// The reason why a scene of the library is refused; empty when it is not.
 std::string why_refused(const std::string& scene) {
   try {
     export_cycles(parse_scene_file(kScenes + "library/" + scene + "/scene.xml"), {});
@@ -225,7 +225,7 @@ TEST_F(CyclesFiles, images_and_meshes_lie_beside_the_script) {
   const CyclesExport scene = export_cycles(parse_scene_file(kScenes + "library/forms/scene.xml"), {.stem = "mine"});
   write_script(scene, folder_ / "mine.py");
   const std::string text = get("mine.py");
-  EXPECT_EQ(text.find("# What the lines of a scene below are made of"), 0u);
+  EXPECT_EQ(text.find("# Building blocks of the scene script below"), 0u);
   ASSERT_FALSE(scene.files.empty());
   for (const CyclesFile& file : scene.files) {
     EXPECT_EQ(file.name.rfind("mine_", 0), 0u);

@@ -1,11 +1,11 @@
-// Lights that are no surfaces, and the medium around everything.
+// Lights without a surface, and the medium around everything.
 #pragma once
 
 #include "reference/cycles/cycles_script.h"
 
 namespace photonproof::inline reference_cycles {
 
-/// Throws NotRepresentable for what Blender 3.4 has no equal of.
+/// Throws NotRepresentable for lights that Blender 3.4 has no equivalent of.
 void write_lights(CyclesScript& script);
 
 }  // namespace photonproof::inline reference_cycles

@@ -1,4 +1,4 @@
-// Every reason for which a scene is not written for Cycles, each with the whole message.
+// Every reason why a scene is not written for Cycles, each with the whole message.
 #include <gtest/gtest.h>
 
 #include "reference/cycles/cycles_export.h"
@@ -10,7 +10,7 @@ namespace {
 
 const std::string kLight = "<emitter type='constant'/>\n";
 
-/// What is said about a scene of a camera in line 1, `content` from line 2 on.
+/// The refusal message for a scene with a camera in line 1 and `content` from line 2 on.
 std::string refusal(const std::string& content, const std::string& camera = kCamera) {
   return refusal_by([](const SceneDescription& scene) { export_cycles(scene, {}); }, content, camera);
 }

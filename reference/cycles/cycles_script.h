@@ -1,4 +1,4 @@
-// The Python by which Blender builds a scene, as it grows: lines, what they explain, and the files they read.
+// The Python script by which Blender builds a scene: lines, explanations of conversions, and the files they read.
 #pragma once
 
 #include <cstddef>
@@ -14,13 +14,13 @@
 
 namespace photonproof::inline reference_cycles {
 
-/// An image, or a mesh: single-precision positions, 32-bit corners of triangles, and where the mesh has them uv and
-/// normals by vertex, in this order and the machine's bytes.
+/// An image, or a mesh. A mesh has single-precision positions, 32-bit corners of triangles, and uv and normals per
+/// vertex where it has them, in this order and the machine's byte order.
 struct CyclesFile {
   std::string name;
   std::shared_ptr<const Image> image;
   std::shared_ptr<const TriangleMesh> mesh;
-  bool turned = false;  ///< the mesh's triangles in the other order, its normals negated
+  bool turned = false;  ///< the mesh's triangles in reverse order, its normals negated
   bool flip_v = false;  ///< v becomes 1 - v
 };
 
@@ -36,7 +36,7 @@ class CyclesScript {
   /// A comment line that is also kept as an explanation of the conversion.
   void explain(std::string_view text);
   void line(std::string_view python);
-  /// The name of the file that gets the image; the same for the same image.
+  /// The name of the file that stores the image; equal images share a file.
   std::string file_of(const std::shared_ptr<const Image>& image);
   std::string file_of(const CyclesFile& mesh);
 

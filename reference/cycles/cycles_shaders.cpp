@@ -9,7 +9,7 @@
 namespace photonproof::inline reference_cycles {
 namespace {
 
-/// The two rows of to_uv that count, each u, v and what is added.
+/// The two rows of to_uv that count, each the factors of u and v and the offset.
 std::string rows_py(const Transform& t) {
   const auto row = [&](std::size_t i) { return py_tuple(Vec3d{t.m[i], t.m[i + 1], t.m[i + 3]}); };
   return "(" + row(0) + ", " + row(4) + ")";
@@ -31,7 +31,7 @@ std::string facets_py(const CyclesScript& script, const BsdfDescription& bsdf, c
          format_number(*u);
 }
 
-/// What one side of a surface reflects. Throws NotRepresentable where that is not known in Cycles' terms.
+/// Reflection of one side of a surface. Throws NotRepresentable for models that Cycles has no equivalent of.
 struct Side {
   CyclesScript& script;
   const BsdfDescription& bsdf;

@@ -8,34 +8,34 @@
 
 namespace photonproof::inline reference_cycles {
 
-/// Of a colour, or of a texture as it is looked up where the surface is met.
+/// Expression of a colour, or of a texture evaluated at the hit point.
 std::string colour_py(CyclesScript& script, const Colour& colour);
 
-/// "lambda g: ..." of a medium.
+/// "lambda g: ..." expression of a medium.
 std::string medium_py(const CyclesScript& script, MediumIndex index);
 
-/// What a shape is made of.
+/// A shape's material.
 struct CyclesMaterial {
   BsdfIndex bsdf;
   std::optional<Colour> radiance;
   std::optional<MediumIndex> interior;
-  bool leaning = false;  ///< its shading normals are not the surface's own
-  bool sampled = true;   ///< the light is aimed at, and not only found by chance; either is unbiased
+  bool leaning = false;  ///< shading normals differ from the surface's own
+  bool sampled = true;   ///< the light is sampled directly, not only hit by chance; both are unbiased
   friend bool operator==(const CyclesMaterial&, const CyclesMaterial&) = default;
 };
 
-/// "material(...)" of the name. Throws NotRepresentable for every model that Blender 3.4 has no equal of.
+/// "material(...)" of the name. Throws NotRepresentable for every model that Blender 3.4 has no equivalent of.
 std::string material_py(CyclesScript& script, const std::string& name, const CyclesMaterial& material);
 
-/// Whether there is no surface at all, at most a border of a medium.
+/// Whether there is no surface, at most a boundary of a medium.
 bool is_nothing(const SceneDescription& scene, BsdfIndex index);
 
-/// Of a BSDF and what it nests.
+/// Properties of a BSDF and its nested BSDFs.
 struct CyclesTraits {
-  bool pane = false;    ///< a thin dielectric, whose straight light Cycles does not count as part of a path
-  bool clear = false;   ///< mirrors or refracts in one direction alone
-  bool chance = false;  ///< Cycles draws a direction and cannot aim at lights
-  bool wide = false;    ///< scatters into many
+  bool pane = false;    ///< A thin dielectric; Cycles does not count its straight light as part of a path.
+  bool clear = false;   ///< Mirrors or refracts in one direction only.
+  bool chance = false;  ///< Cycles samples a direction and cannot sample lights.
+  bool wide = false;    ///< Scatters into many directions.
 };
 CyclesTraits traits_of(const SceneDescription& scene, BsdfIndex index);
 

@@ -21,7 +21,7 @@
 namespace photonproof::inline reference_cycles {
 namespace {
 
-/// A shape where it is: itself, or as an instance puts it.
+/// A shape at its place: itself, or placed by an instance.
 struct Placed {
   const ShapeDescription* shape;
   Transform to_world;
@@ -55,7 +55,7 @@ Transform frame_of(const SphereDescription& sphere) {
 }
 Transform frame_of(const CylinderDescription& cylinder) {
   const Vec3d axis = cylinder.p1 - cylinder.p0, z = normalize(axis);
-  // Where the angle of uv begins: the frame of Duff et al. 2017.
+  // Origin of the angle in uv: the frame of Duff et al. 2017.
   const double sign = std::copysign(1.0, z.z), a = -1 / (sign + z.z), b = z.x * z.y * a, r = cylinder.radius;
   const Vec3d x = Vec3d{1 + sign * z.x * z.x * a, sign * b, -sign * z.x} * r;
   const Vec3d y = Vec3d{b, sign + z.y * z.y * a, -z.y} * r;
@@ -64,7 +64,7 @@ Transform frame_of(const CylinderDescription& cylinder) {
   return t;
 }
 
-/// With the uv of scenes/FORMAT.md, which are the square's.
+/// The mesh with the uv of docs/formats/scene.md, which are the square's.
 std::shared_ptr<const TriangleMesh> with_uv(const TriangleMesh& heights) {
   auto mesh = std::make_shared<TriangleMesh>(heights);
   mesh->uvs.clear();
@@ -120,7 +120,7 @@ class Shapes {
     return bounds;
   }
 
-  /// Cycles adds up media that overlap, where a scene's surface ends one and begins the other.
+  /// Refuses overlapping media: Cycles adds them up, where a scene's surface ends one and begins the other.
   void check_media(const Placed& placed) {
     const ShapeDescription& shape = *placed.shape;
     if (shape.exterior && shape.exterior != shape.interior)
@@ -160,7 +160,7 @@ class Shapes {
                  (hidden ? ", hidden=True)" : ")"));
   }
 
-  /// The name of the variable that holds the shape's material, which is written when it is met first.
+  /// The name of the variable that holds the shape's material, which is written at its first use.
   std::string material_of(const Placed& placed) {
     const ShapeDescription& shape = *placed.shape;
     const CyclesMaterial material{shape.bsdf, shape.radiance, shape.interior, has_leaning_normals(shape),
@@ -183,18 +183,18 @@ class Shapes {
 
   const auto& model_of(const Placed& placed) const { return scene_.bsdfs[placed.shape->bsdf.value].model; }
 
-  /// Where the square of a triangle's longest edge is above that of (distance from its plane / twice its area), Blender
-  /// 3.4 samples it by solid angle, and loses light: -0.75 % of what the light of `roughness` does in two triangles,
-  /// -0.2 % in 4 x 4 squares, nothing that shows in 16 x 16. Squares of edge a are sampled by area from distances of
-  /// a^3 sqrt(2) on; here from a hundredth of the scene's diagonal.
+  /// Blender 3.4 samples a triangle by solid angle where its longest edge exceeds (distance from its plane / twice its
+  /// area), and loses light. The light of `roughness` loses 0.75 % as two triangles, 0.2 % as 4 x 4 squares, and
+  /// nothing visible as 16 x 16. Squares of edge a are sampled by area from a distance of a^3 sqrt(2) on; that distance
+  /// is a hundredth of the scene's diagonal here.
   int cells_of(const Transform& to_world) const {
     const double edge = std::cbrt(length(all_.high - all_.low) / 100 / std::sqrt(2.0));
     const double side = 2 * std::max(length(to_world.vector({1, 0, 0})), length(to_world.vector({0, 1, 0})));
     return static_cast<int>(std::clamp(std::ceil(side / edge), 1.0, 64.0));
   }
 
-  /// Cycles' choice of directions towards a triangle loses light where that is wide and near: -0.1 % where a light of
-  /// `parallel-planes` is 200 times as wide as it is far, -1 % at 2000 times. Such a light is easily met by chance.
+  /// Cycles' direction sampling loses light where a triangle is wide and near. A light of `parallel-planes` loses 0.1 %
+  /// where it is 200 times as wide as it is far, 1 % at 2000 times. Rays easily hit such a light by chance.
   bool can_be_aimed_at(const Placed& placed) const {
     if (!placed.shape->radiance) return true;
     constexpr double too_wide = 30;
@@ -213,7 +213,7 @@ class Shapes {
   }
 
   Form form_of(const Placed& placed, const SphereDescription& sphere) const {
-    // Facets of a light are lights of their own, of which a scene may have many.
+    // Each facet of a light is a light of its own; a scene may have many of them.
     const std::optional<Colour>& radiance = placed.shape->radiance;
     if (radiance && std::holds_alternative<RgbD>(*radiance) &&
         std::holds_alternative<DiffuseDescription>(model_of(placed)))

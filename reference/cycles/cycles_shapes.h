@@ -1,11 +1,11 @@
-// Shapes as Blender's objects: meshes that are made once and shared, each in its place.
+// Shapes as Blender's objects: each mesh is made once and shared, each object has its own place.
 #pragma once
 
 #include "reference/cycles/cycles_script.h"
 
 namespace photonproof::inline reference_cycles {
 
-/// The scene's shapes and what they are made of. Throws NotRepresentable.
+/// The scene's shapes and their materials. Throws NotRepresentable.
 void write_shapes(CyclesScript& script);
 
 }  // namespace photonproof::inline reference_cycles

@@ -9,7 +9,7 @@ namespace {
 
 constexpr int around = 360, up = 8 * 180 + 1;
 
-/// Where a value lies among ascending angles: the one before it and the share of the way to the next.
+/// Place of a value among ascending angles: the one before it and the share of the way to the next.
 struct Between {
   std::size_t index = 0;
   double share = 0;
@@ -21,7 +21,7 @@ Between between(const std::vector<double>& angles, double value) {
   return {i, (value - angles[i]) / (angles[i + 1] - angles[i])};
 }
 
-/// Into what the file lists, by its symmetry.
+/// Maps an angle into the file's range by its symmetry.
 double folded(const IesProfile& profile, double horizontal) {
   const double last = profile.horizontal_degrees.back();
   if (last <= 0) return 0;

@@ -1,4 +1,4 @@
-// The distribution of an IES file as an image, which Cycles can look up.
+// The distribution of an IES file as an image, which Cycles can evaluate.
 #pragma once
 
 #include "scenes/images/image.h"
@@ -6,9 +6,9 @@
 
 namespace photonproof::inline reference_cycles {
 
-/// Candela, the same in all channels: columns at 0, 360/width, ... degrees around, rows from the nadir at 0 to the
-/// zenith at 180 degrees, linear between the file's angles, 0 outside of its vertical ones. What lies between the rows
-/// and columns is linear again, and the file's own where its angles are multiples of 1/8 and 1 degree.
+/// Candela, equal in all channels. Columns are at 0, 360/width, ... degrees around; rows go from the nadir at 0 to the
+/// zenith at 180 degrees. Values are linear between the file's angles and 0 outside its vertical ones. Between rows and
+/// columns they are linear again, which is exact where the file's angles are multiples of 1/8 and 1 degree.
 Image ies_image(const IesProfile& profile);
 
 }  // namespace photonproof::inline reference_cycles

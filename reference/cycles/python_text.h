@@ -1,4 +1,4 @@
-// Writing Python: numbers, tuples and strings, with nothing a scene file says able to leave a string or a comment.
+// Writes Python numbers, tuples and strings. No text of a scene file can leave a string or a comment.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// How a run of another engine ended, in the words that are the same for all of them.
+// The outcome of a run of another engine, with messages common to all engines.
 #pragma once
 
 #include <optional>
@@ -12,7 +12,7 @@
 
 namespace photonproof::inline reference_engines {
 
-/// An engine ran and did not finish with an image: its own message, or the limit that ended it.
+/// An engine ran and finished without an image: its own message, or the limit that ended it.
 class EngineFailure : public std::runtime_error {
  public:
   enum class Kind { failed, limit, interrupted };
@@ -22,23 +22,23 @@ class EngineFailure : public std::runtime_error {
 
 struct EngineProgram {
   std::string name;     ///< "POV-Ray"
-  std::string program;  ///< what was run
-  std::string package;  ///< Debian's, which has it
+  std::string program;  ///< the program that ran
+  std::string package;  ///< the Debian package that has it
 };
 
-/// For an outcome that is not ok: throws InputError when the program could not be started, EngineFailure else, with
-/// what the engine `said` where it failed by itself.
+/// Reports an outcome that is not ok. Throws InputError when the program could not be started, else EngineFailure, with
+/// the engine's message `said` where it failed by itself.
 [[noreturn]] void report_failure(const EngineProgram& engine, const ProcessOutcome& outcome, const std::string& said);
 
-/// As one would type it.
+/// The command as typed in a shell.
 std::string command_line(const std::vector<std::string>& argv);
 
-/// The film's crop, or all where it has none, of an image of the whole film.
+/// The film's crop of an image of the whole film; the whole image where the film has no crop.
 Image kept_part(const FilmDescription& film, const Image& image);
-/// Where that part lies; empty: it is all.
+/// The place of that crop; empty where the film has none.
 std::optional<ImagePlace> kept_place(const FilmDescription& film);
 
-/// A sentence where values are not finite, which ends with `why`; nothing else.
+/// One sentence, ending with `why`, where values are not finite; else empty.
 std::vector<std::string> find_non_finite(const Image& image, const std::string& why);
 
 }  // namespace photonproof::inline reference_engines

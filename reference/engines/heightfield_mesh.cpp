@@ -9,7 +9,7 @@
 namespace photonproof::inline reference_engines {
 namespace {
 
-/// Between the centres of four texels of an image that repeats, mean of the channels.
+/// Interpolates between the centres of four texels of an image that repeats; mean of the channels.
 double mean_channel(const Image& image, double u, double v) {
   const double x = u * image.width - 0.5, y = v * image.height - 0.5;
   const double left = std::floor(x), top = std::floor(y);

@@ -10,7 +10,7 @@
 namespace photonproof::inline reference_engines {
 namespace {
 
-/// Of half the image, per pixel of it.
+/// Tangent of half the field of view per pixel along its axis.
 double tangent_per_pixel(const PerspectiveDescription& perspective, int width, int height) {
   const double tangent = std::tan(perspective.fov_degrees * std::numbers::pi / 360);
   switch (perspective.fov_axis) {
@@ -38,7 +38,7 @@ struct Lens {
     const double per_pixel = tangent_per_pixel(perspective, width, height);
     camera.tan_x = per_pixel * (width + 2 * margin);
     camera.tan_y = per_pixel * (height + 2 * margin);
-    // As in Mitsuba, the offset is added to where a pixel is looked up.
+    // As in Mitsuba, the offset is added to a pixel's place.
     camera.middle_x = 2 * perspective.principal_x * width / (width + 2 * margin);
     camera.middle_y = -2 * perspective.principal_y * height / (height + 2 * margin);
     clip(perspective.near_clip, perspective.far_clip);

@@ -1,4 +1,4 @@
-// A scene's camera as other engines are told of it: where it is, its axes and its lens, whatever the plugin.
+// A scene's camera as other engines need it: its position, axes and lens, for every camera plugin.
 #pragma once
 
 #include <string>
@@ -10,18 +10,18 @@ namespace photonproof::inline reference_engines {
 struct LoweredCamera {
   enum class Kind { perspective, thin_lens, orthographic, fisheye } kind = Kind::perspective;
   Vec3d origin;
-  Vec3d forward, right, up;  ///< orthonormal, world space; right and up as in the image
-  /// Half the image's width and height one unit ahead; in scene units when orthographic.
+  Vec3d forward, right, up;  ///< Orthonormal, world space. Right and up are as in the image.
+  /// Half the image's width and height one unit ahead. Orthographic: in scene units.
   double tan_x = 1, tan_y = 1;
-  double middle_x = 0, middle_y = 0;  ///< of the image, in halves of its width and height from the axis
+  double middle_x = 0, middle_y = 0;  ///< image centre relative to the axis, in halves of the image's width and height
   double lens_radius = 0, focus_distance = 1;
-  double angle = 0;      ///< of view in radians, fisheye
-  double near_clip = 0;  ///< distances along `forward`
+  double angle = 0;      ///< fisheye: field of view in radians
+  double near_clip = 0;  ///< clip distances along `forward`
   double far_clip = 0;
 };
 
-/// Of a picture of this size with `margin` pixels around it. Throws NotRepresentable, with the engine's name, when the
-/// camera's axes are not perpendicular, or when a fisheye's picture is not square.
+/// The camera of an image of this size with `margin` pixels around it. Throws NotRepresentable, with the engine's name,
+/// when the camera's axes are not perpendicular, or when a fisheye's image is not square.
 LoweredCamera lower_camera(const SceneDescription& scene, int width, int height, int margin, const std::string& engine);
 
 }  // namespace photonproof::inline reference_engines

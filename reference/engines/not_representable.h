@@ -1,4 +1,4 @@
-// A scene that another engine cannot express. Refusing is an answer: it is never approximated silently.
+// A scene that another engine cannot express. Such a scene is refused and never approximated silently.
 #pragma once
 
 #include <string>
@@ -7,8 +7,8 @@
 
 namespace photonproof::inline reference_engines {
 
-/// `summary()` is "file:line:col: error: not representable in ENGINE: why". An InputError, so that code that knows
-/// nothing of engines reports it as bad input; the verbs give it an exit code of its own.
+/// `summary()` is "file:line:col: error: not representable in ENGINE: why". It is an InputError, so generic code
+/// reports it as bad input; the commands give it its own exit code.
 class NotRepresentable : public InputError {
  public:
   NotRepresentable(const std::string& engine, const std::string& where, const std::string& why)

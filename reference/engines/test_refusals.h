@@ -1,4 +1,4 @@
-// What is said of scenes that another engine cannot express.
+// Messages about scenes that another engine cannot express.
 #pragma once
 
 #include <string>
@@ -15,8 +15,8 @@ inline const std::string kCamera =
     "<sensor type='perspective'><transform name='to_world'><lookat origin='0 0 9' target='0 0 0' up='0 1 0'/>"
     "</transform><film type='hdrfilm'><rfilter type='box'/></film></sensor>\n";
 
-/// The error with which `write` refuses a scene of a camera in line 1, `content` from line 2 on, without the file's
-/// name.
+/// The error with which `write` refuses a scene with a camera in line 1 and `content` from line 2 on, without the
+/// file's name.
 template <class Write>
 std::string refusal_by(const Write& write, const std::string& content, const std::string& camera) {
   const SceneDescription scene =

@@ -6,12 +6,12 @@
 namespace photonproof::inline reference_optics {
 namespace {
 
-/// Midpoints of as many steps of the cosine: the integrands are smooth but for a square root at grazing.
+/// Midpoint-rule steps over the cosine. The integrands are smooth except for a square root at grazing.
 constexpr int steps = 4096;
 
 RgbD exp_of(const RgbD& x) { return {std::exp(x.x), std::exp(x.y), std::exp(x.z)}; }
 
-/// The share of a diffuse base's light that its coat's surface sends back, with the way there and back.
+/// The share of a diffuse base's light that its coat's surface reflects back, with absorption on both ways.
 RgbD returned(double index, const RgbD& depth) {
   RgbD sum(0.0);
   for (int i = 0; i < steps; ++i) {
@@ -44,7 +44,7 @@ std::array<double, coat_powers + 1> solve(std::array<Row, coat_powers + 1> rows)
 }
 
 /// Least squares of the sum of c_k cos^k with the weight 2 cos, under the condition that the mean is kept: normal
-/// equations with a multiplier. Integrals of powers are known: that of 2 cos cos^m is 2 / (m + 2).
+/// equations with a multiplier. The integral of 2 cos cos^m is 2 / (m + 2).
 std::array<double, coat_powers> fit(const std::array<double, coat_powers>& moments, double mean) {
   std::array<Row, coat_powers + 1> rows{};
   for (std::size_t k = 0; k < coat_powers; ++k) {

@@ -1,4 +1,4 @@
-// Places spread evenly over a square and a sphere.
+// Point sets spread evenly over a square and a sphere.
 #pragma once
 
 #include <cstdint>
@@ -8,10 +8,10 @@
 
 namespace photonproof::inline reference_optics {
 
-/// N x N points of the unit square, one in every cell of an N x N grid and one in every column and row of an N^2 grid
-/// (correlated multi-jittered sampling, Kensler 2013), for every N of at least 1. Columns are shifted as rows are, but
-/// the other way, so that x and y do not correlate: with an order for each, x y is off by up to 0.3 % of the square's,
-/// and the light of a light to one side by as much. The same seed gives the same points.
+/// N x N points of the unit square for N of at least 1 (correlated multi-jittered sampling, Kensler 2013). Every cell
+/// of an N x N grid has one, and so has every column and row of an N^2 grid. Columns are shifted opposite to rows, so
+/// that x and y do not correlate. With separate random orders the mean of x y errs by up to 0.3 % of the square's, and
+/// so is the irradiance from a light to one side. The same seed gives the same points.
 std::vector<Vec2<double>> square_points(int n, std::uint64_t seed);
 
 /// Unit vectors spread evenly over the sphere along a Fibonacci spiral (Swinbank and Purser 2006), turned by the seed.

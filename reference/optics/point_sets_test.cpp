@@ -39,8 +39,8 @@ TEST(square_points, do_not_correlate) {
   }
 }
 
-// 8 x 8 points for a light of 0.46 by 0.38, 0.4 above a point 1 in front of it and 0.6 to the side: by the midpoint
-// rule of 200 x 200. With an order for columns and one for rows it is off by up to 0.5 %.
+// 8 x 8 points on a light of 0.46 by 0.38, 0.4 above a point 1 in front of it and 0.6 to the side. The midpoint rule of
+// 200 x 200 is the reference. With separate orders for columns and rows the error is up to 0.5 %.
 TEST(square_points, light_as_the_whole_square_does) {
   const auto light = [](double u, double v) {
     const double x = 0.46 * (u - 0.5) - 0.6, z = 1 + 0.38 * (v - 0.5), y = 0.4;

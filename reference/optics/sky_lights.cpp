@@ -35,7 +35,7 @@ RgbD radiance_at(const Image& image, double u, double v) {
 
 Vec3d turned(const Transform& to_world, const Vec3d& local) { return normalize(to_world.vector(local)); }
 
-/// Where running sums pass `share` of their last: the cell, and how far in it.
+/// The place where running sums pass `share` of their last: the cell, and the position in it.
 struct Place {
   std::size_t cell;
   double within;
@@ -77,7 +77,7 @@ CellSums sum_cells(const Image& image) {
 EmitterDescription sky_without_sun(const EmitterDescription& sunsky) {
   const auto& d = std::get<SunSkyDescription>(sunsky.light);
   const ClearSky sky(d.turbidity, d.albedo, normalize(d.sun_direction), d.sky_scale);
-  // An odd number of rows: the horizon is one of them.
+  // With an odd number of rows the horizon is one of them.
   auto image = std::make_shared<Image>(512, 513);
   for (int y = 0; y < image->height; ++y)
     for (int x = 0; x < image->width; ++x) {
@@ -125,7 +125,7 @@ std::vector<SkyLight> sky_lights(const EnvmapDescription& map, int side, std::ui
     const double u = (static_cast<double>(column.cell) + column.within) / image->width;
     const double v = (static_cast<double>(row.cell) + row.within) / image->height;
     const float* p = image->pixel(static_cast<int>(column.cell), static_cast<int>(row.cell));
-    // Its radiance over the density of directions, which is in proportion to the mean of the channels.
+    // Its radiance over the density of directions, which is proportional to the mean of the channels.
     const RgbD rgb(double{p[0]}, double{p[1]}, double{p[2]});
     const RgbD irradiance =
         rgb * (sums.by_row.back() / ((rgb.x + rgb.y + rgb.z) / 3) / (static_cast<double>(side) * side));

@@ -1,4 +1,4 @@
-// Skies as parallel lights, against integrals and directions worked out by hand.
+// Skies as parallel lights, compared with integrals and directions derived by hand.
 #include "reference/optics/sky_lights.h"
 
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ EnvmapDescription grey_map(int width, int height, float value) {
   return map;
 }
 
-/// Of a surface that faces `n`.
+/// Irradiance on a surface that faces `n`.
 RgbD irradiance_of(const std::vector<SkyLight>& lights, const Vec3d& n) {
   RgbD sum(0.0);
   for (const SkyLight& light : lights) sum += light.irradiance * std::max(0.0, dot(light.from, n));
@@ -38,8 +38,8 @@ TEST(sky_lights, that_is_grey_lights_every_side_by_pi) {
 }
 
 TEST(sky_lights, shines_from_where_its_bright_texel_is_turned_with_the_map) {
-  // Of 64 columns the 21st has its middle at u = 20.5 / 64, a turn from -z by way of +x; of 33 rows the ninth is at
-  // 45 degrees from the zenith.
+  // The 21st of 64 columns has its middle at u = 20.5 / 64, a turn from -z by way of +x. The ninth of 33 rows is at 45
+  // degrees from the zenith.
   EnvmapDescription map = grey_map(64, 33, 0);
   auto image = std::make_shared<Image>(*map.image);
   image->pixel(20, 8)[0] = 100;
@@ -72,7 +72,7 @@ TEST(sky_lights, has_the_sun_in_its_disc_with_all_of_its_irradiance) {
   ASSERT_EQ(lights.size(), 36u);
   const double edge = std::cos(1.0001 * std::numbers::pi / 180);
   for (const SkyLight& light : lights) EXPECT_GT(dot(light.from, Vec3d{0.6, 0, 0.8}), edge);
-  // The same irradiance whatever the aperture, but for the cosines over a disc of 2 degrees: 1e-4.
+  // The irradiance does not depend on the aperture, except by the cosines over a disc of 2 degrees: 1e-4.
   EXPECT_NEAR(irradiance_of(lights, {0.6, 0, 0.8}).y, narrow.y, 2e-4 * narrow.y);
   sunsky.sun_direction = {0.6, 0, -0.8};
   EXPECT_TRUE(sun_lights(sunsky, 6, 1).empty());

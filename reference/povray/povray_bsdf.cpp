@@ -44,7 +44,7 @@ void require_constant(const SceneDescription& scene, const BsdfDescription& bsdf
 constexpr const char* kGlossy =
     "POV-Ray's glossy highlights answer light_sources only and are no microfacets, and its mirrors are smooth";
 
-// What makes a leaf impossible, by model; nothing for what can be written.
+// The reason why a leaf cannot be written, by model; empty for leaves that can.
 struct Check {
   const SceneDescription& scene;
   const BsdfDescription& bsdf;

@@ -1,4 +1,4 @@
-// What a surface is made of, as far as POV-Ray can show it: wrappers undone, colours known.
+// A surface's materials as far as POV-Ray can show them: wrappers undone, colours evaluated.
 #pragma once
 
 #include <optional>
@@ -8,7 +8,7 @@
 
 namespace photonproof::inline reference_povray {
 
-/// A colour of a scene, or what its texture is on the whole.
+/// A colour of a scene, or its texture's mean and greatest value.
 struct ColourRange {
   RgbD mean{0.0};
   double greatest = 0;  ///< of any channel anywhere
@@ -18,15 +18,15 @@ ColourRange range_of(const SceneDescription& scene, const Colour& colour);
 /// The two sides of a surface. A side is a leaf, or a blend of leaves.
 struct PovSides {
   const BsdfDescription* front = nullptr;
-  const BsdfDescription* back = nullptr;  ///< null: black, or for what transmits the same
-  double opacity = 1;                     ///< share of the surface that is there
-  bool nothing = false;                   ///< no surface, at most a border of a medium
+  const BsdfDescription* back = nullptr;  ///< Null: black, or the same as the front for surfaces that transmit.
+  double opacity = 1;                     ///< Share of the surface that is there.
+  bool nothing = false;                   ///< No surface, at most a boundary of a medium.
 };
 
 /// Undoes `twosided`, `mask` and `null`. Throws Unrepresentable for every model that povray_materials.cpp cannot write.
 PovSides resolve_bsdf(const SceneDescription& scene, BsdfIndex index);
 
-/// Of a side: albedo of its diffuse part, whether it mirrors, whether light goes through.
+/// Optics of a side: the albedo of its diffuse part, whether it mirrors, whether it transmits.
 struct PovOptics {
   ColourRange diffuse;
   bool specular = false;
@@ -34,10 +34,10 @@ struct PovOptics {
 };
 PovOptics optics_of(const SceneDescription& scene, const BsdfDescription& side);
 
-/// Of a plastic, or of a lacquer over a diffuse base, both of constant colours.
+/// The coat of a plastic, or of a lacquer over a diffuse base, both of constant colours.
 std::optional<Coat> coat_on(const SceneDescription& scene, const BsdfDescription& side);
 
-/// Whether a texture's colours are looked up anywhere in a side.
+/// Whether any part of a side has a textured colour.
 bool is_textured(const SceneDescription& scene, const BsdfDescription& side);
 
 }  // namespace photonproof::inline reference_povray

@@ -15,8 +15,8 @@
 namespace photonproof::inline reference_povray {
 namespace {
 
-/// What may be seen between two distances along `forward`: a pyramid, wider where there is a lens; a box of an
-/// orthographic camera; of a fisheye, whose rays start and end at these distances from it, a cube.
+/// Region that may be visible between two distances along `forward`: a pyramid, wider where there is a lens. It is a
+/// box for an orthographic camera, and a cube for a fisheye, whose rays start and end at these distances from it.
 std::vector<HalfSpace> frustum(const PovCamera& camera, double nearest, double farthest) {
   const double at_eye = dot(camera.forward, camera.origin);
   std::vector<HalfSpace> region{{-camera.forward, -(at_eye + nearest)}, {camera.forward, at_eye + farthest}};
@@ -39,7 +39,7 @@ std::vector<HalfSpace> frustum(const PovCamera& camera, double nearest, double f
   return region;
 }
 
-/// In pixels across and down; empty behind the camera.
+/// Image of a point in pixels across and down; empty behind the camera.
 std::optional<Vec2<double>> pixel_of(const PovCamera& camera, const Vec3d& p, int width, int height) {
   const Vec3d d = p - camera.origin;
   const bool parallel = camera.kind == PovCamera::Kind::orthographic;
@@ -96,7 +96,7 @@ bool may_meet(const PovSphere& sphere, const PovCamera& camera, double nearest, 
   for (const HalfSpace& half : frustum(camera, nearest, farthest))
     if (dot(half.normal, sphere.center) - half.offset >= sphere.radius * length(half.normal)) return false;
   if (camera.kind != PovCamera::Kind::perspective) return true;
-  // Or the whole piece of the frustum is inside the ball: it is the convex hull of its corners.
+  // Otherwise the whole piece of the frustum may be inside the ball: it is the convex hull of its corners.
   double reach = 0;
   for (const double distance : {nearest, farthest})
     for (const double x : {-1.0, 1.0})

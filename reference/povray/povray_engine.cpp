@@ -15,7 +15,7 @@ namespace {
 namespace fs = std::filesystem;
 
 std::vector<std::string> command(const PovrayExport& scene, const std::string& program) {
-  // +FE linear half floats; -D no window; -P no pause; +V progress; +WT1 one thread, which makes it repeatable.
+  // +FE: linear half floats. -D: no window. -P: no pause. +V: progress. +WT1: one thread, which makes it repeatable.
   std::vector<std::string> argv{program,
                                 "+Iscene.pov",
                                 "+Oscene.exr",
@@ -104,7 +104,7 @@ std::vector<double> weights_of(const PovrayExport& scene, int at, int size) {
   return weights;
 }
 
-/// The picture of POV-Ray's, which has margins and sub-pixels.
+/// The filtered image of POV-Ray's, which has margins and sub-pixels.
 Image filtered(const Image& image, const PovrayExport& scene) {
   if (scene.margin == 0) return box_downsample(image, scene.grid, 1 / scene.exposure);
   std::vector<std::vector<double>> across, down;

@@ -23,26 +23,26 @@ struct PovrayRunOptions {
 };
 
 struct PovrayRun {
-  /// In the scene's radiance. A variance where paths were followed and no filter blurs the sub-pixels, as their spread
-  /// says (edges count as noise); else POV-Ray makes one deterministic estimate.
+  /// In the scene's radiance. Images by paths whose sub-pixels no filter blurs have a variance, from the sub-pixels'
+  /// spread (edges count as noise). Otherwise POV-Ray makes one deterministic estimate.
   Rendering rendering;
   std::string version;  ///< "POV-Ray 3.7.0.10.unofficial"
-  std::string command;  ///< as one would type it
+  std::string command;  ///< as typed in a shell
   PovrayStatistics statistics;
   double wall_seconds = 0;
   double cpu_seconds = 0;
   std::uint64_t peak_bytes = 0;
-  std::vector<std::string> defects;  ///< of the image: values that are not finite
+  std::vector<std::string> defects;  ///< of the image: non-finite values
 };
 
-/// One thread, so that the same scene gives the same bits. Throws InputError when POV-Ray is not installed,
-/// EngineFailure when it does not finish. The temporary folder is gone in every case.
+/// Runs one thread, so that the same scene gives the same bits. Throws InputError when POV-Ray is not installed,
+/// EngineFailure when it does not finish. The temporary folder is removed in every case.
 PovrayRun render_povray(const PovrayExport& scene, const PovrayRunOptions& options = {});
 
 /// The mean of each grid x grid block of pixels, times `gain`. Precondition: grid divides the size.
 Image box_downsample(const Image& image, int grid, double gain);
 
-/// The variance of that mean, as the spread within each block says. Precondition: grid is at least 2.
+/// The variance of that mean, from the spread within each block. Precondition: grid is at least 2.
 Image variance_of_blocks(const Image& image, int grid, double gain);
 
 }  // namespace photonproof::inline reference_povray

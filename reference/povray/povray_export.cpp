@@ -18,8 +18,8 @@ namespace {
 /// POV-Ray's command-line words for rays through the centres of pixels alone.
 const std::vector<std::string> through_centres{"-A"};
 
-/// Those for corners first, and wherever they differ by a tenth (of a gamma-encoded channel) a finer grid, of at most
-/// 2^halvings cells across a pixel: the trapezoidal rule over the pixel, in linear light and without clipping.
+/// POV-Ray's options for rays through pixel corners, refined where corners differ by a tenth (of a gamma-encoded
+/// channel) to at most 2^halvings cells across a pixel. This is the trapezoidal rule in linear light, without clipping.
 std::vector<std::string> refined(int halvings) { return {"+AM2", "+A0.1", "+R" + std::to_string(halvings), "-J"}; }
 
 bool shows_bright_lights(const PovScene& scene, const PovPlan& plan) {
@@ -28,9 +28,9 @@ bool shows_bright_lights(const PovScene& scene, const PovPlan& plan) {
                      [](const PovSurface& surface) { return surface.emission == PovSurface::Emission::spots; });
 }
 
-/// Where lights are seen cells are fine: the light of `cornell` is 12 pixels wide and 40 times as bright as the mean,
-/// and 1/32 of a pixel at its edges made the image's mean 0.45 % too high. Where every ray's end is lit by many, edges
-/// are coarse: `many-lights` as well in two fifths of the time.
+/// Images that show lights need fine cells. The light of `cornell` is 12 pixels wide and 40 times as bright as the
+/// mean. An error of 1/32 of a pixel at its edges made the image's mean 0.45 % too high. Many lights at every ray's end
+/// make fine cells slow: with coarse ones `many-lights` is as accurate in two fifths of the time.
 constexpr int ordinary_halvings = 5, light_halvings = 7, many_lights_halvings = 2;
 
 int halvings(const PovScene& scene, const PovPlan& plan) {
@@ -38,8 +38,8 @@ int halvings(const PovScene& scene, const PovPlan& plan) {
   return plan.point_lights && has_many_lights(scene) ? many_lights_halvings : ordinary_halvings;
 }
 
-/// What radiosity's rays see instead of the surfaces above. A ray of theirs is one of hundreds, so its shadow rays need
-/// not find every part of a light: lighting them with fewer points halves the time at equal error.
+/// The twins that radiosity's rays see instead of the surfaces above. Radiosity averages hundreds of rays, so their
+/// shadow rays need not find every part of a light: fewer points halve the time at equal error.
 void write_radiosity_group(const PovScene& scene, const PovPlan& plan, std::uint64_t seed, SdlWriter& out) {
   if (!plan.radiosity || !plan.point_lights) return;
   out.explain("twins of the diffuse surfaces, in the same places, for radiosity's rays only: lit by fewer points, and");
@@ -66,20 +66,20 @@ void write_sdl(const PovrayExport& scene, const std::filesystem::path& target) {
 
 namespace {
 
-/// A light that is thinner than this many pixels may lie between the corners that POV-Ray samples first, which then see
-/// no edge to refine; and what is seen of it is far brighter than all else.
+/// A light thinner than this many pixels may lie between the corners that POV-Ray samples first, which then show no
+/// edge to refine. Its visible part is far brighter than the rest of the image.
 constexpr double thin_light = 1.5;
 constexpr int finest_light_grid = 16;
 
-/// Rays through a lens in every sub-pixel. POV-Ray spreads them over it, too, so that without a filter no grid is
-/// needed: 256 in each of 4 x 4 took `lens` minutes.
+/// Rays through a lens in every sub-pixel. POV-Ray spreads them over the sub-pixel, too, so no grid is needed without a
+/// filter. With 256 rays in each of 4 x 4 sub-pixels `lens` took minutes.
 int lens_samples(int grid) { return grid <= 1 ? 256 : 37; }
 
 /// Sub-pixels across a pixel behind a lens where a filter weighs them.
 constexpr int lens_filter_grid = 4;
 
-/// Facets that mirror or refract, which may show something else between two corners that look alike: without a grid
-/// for its light 4 % of a picture of glass of 168 facets were missing.
+/// Whether facets mirror or refract; they may show something else between two corners that look alike. Without a grid
+/// for its light, the image of a glass of 168 facets lacked 4 % of its light.
 bool has_facets(const PovScene& scene) {
   return std::any_of(scene.surfaces.begin(), scene.surfaces.end(), [](const PovSurface& surface) {
     return is_specular(surface) && std::holds_alternative<PovMesh>(surface.geometry);
@@ -150,8 +150,8 @@ PovrayExport export_scene(const PovScene& scene, const PovPlan& plan, const PovC
   return result;
 }
 
-/// Only what is seen of lights, directly or in mirrors and glass: nothing is lit, so that many samples cost little. The
-/// grid is one of which several lines pass through every light.
+/// Only the visible light of light surfaces, seen directly or in mirrors and glass. No surface is lit, so many samples
+/// are cheap. Several lines of the sub-pixel grid pass through every light.
 PovrayExport export_lights(const PovScene& scene, PovPlan plan, const PovCamera& camera, const PovrayOptions& options,
                            double thinnest) {
   plan.point_lights = plan.radiosity = plan.paths = plan.photons = plan.shows_sky = false;
@@ -161,7 +161,7 @@ PovrayExport export_lights(const PovScene& scene, PovPlan plan, const PovCamera&
   PovrayExport lights = export_scene(scene, plan, camera, finer);
   if (finer.grid > 0) return lights;
   lights.grid = std::clamp(static_cast<int>(std::ceil(2 * thin_light / thinnest)), 2, finest_light_grid);
-  // Of the light of `caustic-glass` 0.13 % are missing then, in a third of the time that leaves 0.11.
+  // With one halving fewer `caustic-glass` lacks 0.13 % of its light instead of 0.11 %, in a third of the time.
   const bool is_fine = lights.grid >= 8 && camera.kind != PovCamera::Kind::thin_lens;
   if (is_fine) lights.antialias = refined(light_halvings - 1);
   return lights;
@@ -184,8 +184,8 @@ PovrayExport export_povray(const SceneDescription& description, const PovrayOpti
   const PovCamera camera = lower_camera(description, options.width, options.height, options.margin, "POV-Ray");
   apply_clip_planes(camera, scene);
   const double thinnest = thinnest_light(camera, scene, options.width, options.height);
-  // Beside paths' noise the edge of a light would count as noise, too; and the noise of photons is nothing to refine as
-  // finely as lights: `cornell-spheres` 14 s for 23.
+  // Paths' variance would count the edge of a light as noise. Photon noise needs no refinement as fine as lights do:
+  // `cornell-spheres` takes 14 s with its lights apart, 23 s without.
   const bool apart = thinnest <= thin_light || ((plan.paths || plan.photons) && shows_bright_lights(scene, plan));
   plan.shows_lights = !options.lights_apart || given.grid > 0 || !apart;
   PovCamera seen = camera;

@@ -1,4 +1,4 @@
-// The structure of the exported text: what is there once, what is there only when a scene needs it.
+// The structure of the exported text: parts that occur once, and parts that occur only when a scene needs them.
 #include "reference/povray/povray_export.h"
 
 #include <gtest/gtest.h>
@@ -35,7 +35,7 @@ std::size_t count(const std::string& text, const std::string& word) {
   return n;
 }
 
-/// The reason for which a scene of the library is refused; empty when it is not.
+/// The reason why a scene of the library is refused; empty when it is not.
 std::string why_refused(const std::string& scene) {
   try {
     exported(scene);

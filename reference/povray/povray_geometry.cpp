@@ -12,12 +12,12 @@
 namespace photonproof::inline reference_povray {
 namespace {
 
-// A ray through the common edge of two exactly adjoining polygons can miss both; walls that reach this far past their
-// edges (as a fraction of their size) leave no gap, and change no picture at double precision's 1e-16.
+// A ray through the common edge of two exactly adjoining polygons can miss both. Walls that reach this far past their
+// edges (as a fraction of their size) leave no gap, and do not change the image beyond double precision's 1e-16.
 constexpr double kOverlap = 1e-6;
 
-// How far twins lie behind what they are twins of, in POV-Ray's lengths: what is seen first is not the twin, and shadow
-// rays to it still end at the surface (they forgive 1e-3 along the ray). Below what kOverlap closes at edges.
+// Distance of a twin behind its surface, in POV-Ray's lengths. The camera then sees the surface first, and shadow rays
+// to the twin still end at the surface (they tolerate 1e-3 along the ray). It is smaller than the gap kOverlap closes.
 constexpr double kBehind = 2e-5;
 
 /// The opening of an object: its type and coordinates.
@@ -108,8 +108,8 @@ PovRound behind(PovRound round, double distance) {
 }
 PovMesh behind(const PovMesh&, double) { throw std::logic_error("has_twin says no"); }
 
-/// POV-Ray shows no photons on what is `no_image`, not even to radiosity's rays: where there are photons, twins are
-/// hidden from the camera by what they are twins of.
+/// POV-Ray shows no photons on `no_image` objects, not even to radiosity's rays. With photons the originals therefore
+/// hide their twins from the camera.
 bool hides_behind(const PovPlan& plan) { return plan.photons; }
 
 /// A light that the camera looks through: it shines in mirrors and for radiosity's rays.
@@ -151,8 +151,8 @@ void write_surface(const PovScene& scene, const PovSurface& surface, const PovPl
     object += clip;
   }
   if (plan.photons && is_specular(surface)) object += photon_target(surface);
-  // Radiosity's rays must not see a light shine, whose light_sources are counted, but its twin, which hides what is
-  // behind it.
+  // Radiosity's rays must not see the emission of a light that light_sources already count. They see its twin, which
+  // hides everything behind it.
   const bool counted = surface.emission == PovSurface::Emission::spots;
   if (plan.radiosity && (counted || has_twin(surface, plan))) object += " no_radiosity";
   if (counted && std::holds_alternative<PovSphere>(surface.geometry) && has_many_lights(scene)) object += " no_shadow";

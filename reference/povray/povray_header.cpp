@@ -10,10 +10,10 @@
 namespace photonproof::inline reference_povray {
 namespace {
 
-/// POV-Ray measures reuse by the distance to the camera; what has to be fine enough is the scene's own size.
+/// POV-Ray measures reuse by the distance to the camera; the scene's own size sets the necessary distance.
 double reuse_by_camera_distance(const PovScene& scene, double by_scene_radius) {
   const Vec3d eye = scene.description->sensor.to_world.point({0, 0, 0});
-  // From inside, what is seen is about as far away as the walls of a cube whose corners the sphere goes through.
+  // From inside, visible surfaces are about as far away as the walls of a cube inscribed in the sphere.
   const double distance = std::max(length(eye - scene.center), scene.radius / std::sqrt(3.0));
   return by_scene_radius * scene.radius / distance;
 }
@@ -31,8 +31,8 @@ std::string radiosity_sdl(const PovScene& scene, const PovPlan& plan) {
          format_number(preset.pretrace_end) + " normal off media off}";
 }
 
-/// The most photons that one gather finds, which must never be reached; POV-Ray allocates for as many each time, past
-/// some from the kernel, which took two fifths of the time of paths.
+/// Upper bound on the photons of one gather, which must never be reached. POV-Ray allocates room for that many each
+/// time; large blocks come from the kernel, which took two fifths of the time of paths.
 std::string most_photons(const PovPlan& plan) { return plan.paths ? "2000" : "20000"; }
 
 std::string photons_sdl(const PovScene& scene, const PovPlan& plan) {

@@ -1,4 +1,4 @@
-// The head of an exported file: what it is, and POV-Ray's global settings.
+// The head of an exported file: its description, and POV-Ray's global settings.
 #pragma once
 
 #include "reference/povray/povray_plan.h"

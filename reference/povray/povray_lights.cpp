@@ -23,8 +23,8 @@ std::ptrdiff_t area_lights(const PovScene& scene) {
                        [](const PovSurface& surface) { return surface.emission == PovSurface::Emission::spots; });
 }
 
-/// `points` shared out: all area lights keep within the number for one, but none gets fewer than 4, and of more than
-/// kManyLights a rectangle has one.
+/// Divides `points` among all area lights, so that they stay within the number for one. No light gets fewer than 4;
+/// with more than kManyLights lights a rectangle has one.
 PovrayLightPoints share(const PovrayLightPoints& points, const PovScene& scene) {
   const auto count = static_cast<double>(std::max<std::ptrdiff_t>(area_lights(scene), 1));
   const int least = has_many_lights(scene) ? 1 : 2;
@@ -37,7 +37,7 @@ struct Patch {
   double area;
 };
 
-/// Where a unit disc is met by the unit square, area for area (Shirley and Chiu 1997).
+/// Maps the unit square to the unit disc, preserving areas (Shirley and Chiu 1997).
 Vec2<double> on_disc(const Vec2<double>& s) {
   const double a = 2 * s.x - 1, b = 2 * s.y - 1;
   if (a == 0 && b == 0) return {0, 0};
@@ -72,7 +72,7 @@ std::vector<Patch> patches(const PovRound& round, const PovrayLightPoints& point
     }
     return found;
   }
-  // As many as of a sphere, more around than along.
+  // As many as for a sphere, more around than along.
   const int side = std::max(2, static_cast<int>(std::lround(std::sqrt(points.sphere))));
   for (const Vec2<double>& s : square_points(side, seed)) {
     const Vec3d out{std::cos(2 * std::numbers::pi * s.x), std::sin(2 * std::numbers::pi * s.x), 0};

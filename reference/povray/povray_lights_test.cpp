@@ -1,4 +1,4 @@
-// What POV-Ray's picture shows of lights that are thinner than its pixels.
+// POV-Ray's image of lights that are thinner than its pixels.
 
 #include <gtest/gtest.h>
 
@@ -8,8 +8,8 @@
 namespace photonproof::inline reference_povray {
 namespace {
 
-/// A black light of radiance 100 that faces an eye 10 away, 1 by `height` pixels of a 16 x 16 picture: at this field of
-/// view a pixel is 0.1 wide there. It lies between two rows of pixel corners, and between two columns.
+/// A light of albedo 0 and radiance 100 that faces an eye 10 away, 1 by `height` pixels of a 16 x 16 image. At this
+/// field of view a pixel is 0.1 wide there. The light lies between two rows of pixel corners, and between two columns.
 SceneDescription light(double height) {
   const std::string text = R"(<scene version="3.0.0"><integrator type="path"/>
     <sensor type="perspective"><float name="fov" value="9.147842"/><string name="fov_axis" value="y"/>

@@ -48,7 +48,7 @@ void check_film(const SceneDescription& scene) {
                           "a camera in a medium: POV-Ray scatters light once only, and its lights do not know theirs");
 }
 
-/// As in Mitsuba, every face of a cube has the whole square of uv; where its corner (1, 1) is, in the order of
+/// As in Mitsuba, every face of a cube has the whole square of uv. The table has its corner (1, 1), in the order of
 /// PovBox::faces. Seen from outside v is clockwise of u.
 Transform uv_of_cube_face(const Transform& to_world, std::size_t face) {
   constexpr std::array<Vec3d, 6> normals{Vec3d{1, 0, 0},  Vec3d{-1, 0, 0}, Vec3d{0, 1, 0},
@@ -62,8 +62,8 @@ Transform uv_of_cube_face(const Transform& to_world, std::size_t face) {
   return to_world * t;
 }
 
-/// Share of the light of a uniform sky that comes from a flat light, by its front: what of it is above the surface at
-/// `p`, by Lambert's sum over its edges (Lambert 1760), with nothing in between.
+/// Irradiance at `p` from a flat light's front as a share of a uniform sky's, unoccluded. It is Lambert's sum over the
+/// edges of the part above the surface (Lambert 1760).
 double share_of_sky(const Vec3d& p, const Vec3d& n, const PovParallelogram& area_light) {
   if (dot(area_light.normal(), p - area_light.corner) <= 0) return 0;
   const auto vertices = area_light.vertices();
@@ -99,8 +99,8 @@ double least_share(const PovScene& scene, const PovParallelogram& area_light) {
   return seen ? least : 0;
 }
 
-/// A light that fills half the sky of whatever it lights is found by radiosity's rays, as one around the scene is,
-/// while points on it would be as far from one another as from what they light.
+/// Radiosity's rays find a light that fills half the sky of the surfaces it lights, as they find a light around the
+/// scene. Point lights on it would be as far from one another as from those surfaces.
 void leave_wide_lights_to_radiosity(PovScene& scene) {
   for (PovSurface& surface : scene.surfaces) {
     const auto* face = std::get_if<PovParallelogram>(&surface.geometry);
@@ -159,7 +159,7 @@ class Lowering {
       return;
     }
     if (std::holds_alternative<PlaneDescription>(shape.geometry)) {
-      planes_.push_back(&shape);  // how large it has to be is known when the others are
+      planes_.push_back(&shape);  // its necessary size follows from the other shapes
       return;
     }
     const std::optional<PovSurface> surface = start(shape);
@@ -167,7 +167,7 @@ class Lowering {
     std::visit([&](const auto& geometry) { place(*surface, geometry); }, shape.geometry);
   }
 
-  /// All of a surface but its geometry; empty when it is nothing at all.
+  /// A surface without its geometry; empty when the shape has no surface.
   std::optional<PovSurface> start(const ShapeDescription& shape) const {
     const SceneDescription& description = *scene_.description;
     PovSurface surface;
@@ -265,7 +265,7 @@ class Lowering {
   void place(PovSurface surface, const CylinderDescription& cylinder) {
     const Vec3d axis = cylinder.p1 - cylinder.p0;
     const Vec3d z = normalize(axis);
-    // Where the angle of uv begins: the frame of Duff et al. 2017.
+    // Origin of the angle in uv: the frame of Duff et al. 2017.
     const double sign = std::copysign(1.0, z.z), a = -1 / (sign + z.z), b = z.x * z.y * a;
     const Vec3d x{1 + sign * z.x * z.x * a, sign * b, -sign * z.x}, y{b, sign + z.y * z.y * a, -z.y};
     const double r = cylinder.radius;
@@ -319,7 +319,7 @@ void Lowering::check(const PovSurface& surface) const {
   const auto* mesh = std::get_if<PovMesh>(&surface.geometry);
   const bool closed = std::holds_alternative<PovSphere>(surface.geometry) ||
                       std::holds_alternative<PovBox>(surface.geometry) ||
-                      (mesh && (is_glass(surface) || surface.absorption) && mesh->is_body());
+                      (mesh && (is_glass(surface) || surface.absorption) && mesh->is_closed());
   if (surface.absorption && (!closed || (!mesh && surface.shape->flip_normals)))
     throw Unrepresentable(where,
                           "a medium in another shape than a sphere, a cube or a closed mesh, their front outside");
@@ -332,7 +332,7 @@ void Lowering::check(const PovSurface& surface) const {
                           "an open surface of dielectric: POV-Ray's index of refraction belongs to a closed body");
   if (is_glass(surface)) {
     const auto& glass = std::get<DielectricDescription>(surface.sides.front->model);
-    // What enters a ball of a higher index leaves it: the angles inside are the same.
+    // Rays that enter a ball of a higher index leave it again: both angles inside are the same.
     const bool never_total = std::holds_alternative<PovSphere>(surface.geometry) && glass.int_ior >= glass.ext_ior;
     if (!never_total && !(constant(glass.specular_reflectance) == RgbD(1.0)))
       throw Unrepresentable(where,

@@ -16,20 +16,20 @@ namespace {
 
 struct Material {
   std::string explanation;
-  std::string texture;   ///< what stands between the braces
+  std::string texture;   ///< text between the braces
   std::string interior;  ///< empty when there is none
-  std::string before{};  ///< lines that declare what the texture names
+  std::string before{};  ///< declarations that the texture uses
 };
 
 constexpr int kIncidences = 120;  // half of the 256 entries that a map may have
 
-/// Of steps from 0, grazing, to kIncidences, head on, which are equal in angle.
+/// Cosine of incidence at a step from 0, grazing, to kIncidences, head on. Steps are equal in angle.
 double cosine_of_step(int step) {
   return step == kIncidences ? 1 : std::cos(std::numbers::pi * (0.5 - 0.5 * step / kIncidences));
 }
 
-/// A texture by the angle of incidence. POV-Ray's pattern `aoi` is 1 where the surface is met head on and a half where
-/// it is grazed, or the same from 0 up, depending on the side: both are given.
+/// A texture by the angle of incidence. POV-Ray's pattern `aoi` goes from a half at grazing to 1 head on, or from a
+/// half to 0, depending on the side: both are given.
 std::string by_incidence_step(const std::function<std::string(int step, bool from_behind)>& texture) {
   std::string entries;
   for (int i = -kIncidences; i <= kIncidences; ++i)
@@ -45,20 +45,20 @@ std::string mirror(const RgbD& reflectance) {
   return "pigment{rgb 0} finish{ambient 0 diffuse 0 reflection{" + sdl_rgb(reflectance) + "}}";
 }
 
-/// What passes is multiplied by the colour.
+/// A filter that multiplies transmitted light by the colour.
 std::string filter(const RgbD& t) {
   return "pigment{rgbf <" + format_number(t.x) + "," + format_number(t.y) + "," + format_number(t.z) + ",1>}";
 }
 
-/// A diffuse layer whose light from lights goes by cos^brilliance, and whose light from radiosity does not heed it.
+/// A diffuse layer: light from lights follows cos^brilliance, light from radiosity ignores the brilliance.
 struct CoatLayer {
   RgbD colour{0.0};
   std::string brilliance;
 };
 
-/// What of the light enters the coat. POV-Ray's `brilliance` b has the diffuse light of a light go by cos^b: a sum of
-/// powers of its cosine, some of them with negative pigments. Radiosity adds all layers up as if light came head on:
-/// one that lights reach only within a hundredth of a degree of it makes the sum the mean over all directions.
+/// Layers for the light that enters the coat. POV-Ray's `brilliance` b makes the diffuse light of a light follow cos^b,
+/// so the layers are powers of the cosine, some with negative pigments. Radiosity adds all layers as if light came head
+/// on. One layer that lights reach only within a hundredth of a degree makes that sum the mean over all directions.
 std::vector<CoatLayer> entering_layers(const Coat& coat) {
   std::vector<CoatLayer> layers;
   RgbD rest = coat.mean_crossing();
@@ -72,8 +72,8 @@ std::vector<CoatLayer> entering_layers(const Coat& coat) {
 }
 
 /// A coat's texture at a cosine of the eye's. Each layer shows through the next, which covers a thousandth. The last,
-/// which POV-Ray asks first, is positive: it then has radiosity's light at hand, which it does not fetch for a negative
-/// one.
+/// which POV-Ray evaluates first, is positive: POV-Ray then computes radiosity's light, which it does not do for a
+/// negative one.
 std::string coat_texture(const Coat& coat, const std::vector<CoatLayer>& layers, double cosine) {
   constexpr double covers = 1.0 / 1024;
   const RgbD shown = coat.base * coat.crossing(cosine);
@@ -170,7 +170,7 @@ struct Writer {
   Material operator()(const PlasticDescription&) const { return coated_material(); }
   Material operator()(const LayeredDescription&) const { return coated_material(); }
   Material coated_material() const {
-    // Layers and no `average`, of which radiosity leaves out the negative ones.
+    // Layers instead of `average`, whose negative entries radiosity leaves out.
     const Coat coat = *coat_on(scene, *self);
     const std::vector<CoatLayer> layers = entering_layers(coat);
     const std::string name = "Coat_" + std::to_string(self - scene.bsdfs.data()) + "_";
@@ -194,7 +194,7 @@ std::size_t number_of(const PovScene& scene, const BsdfDescription& side) {
   return static_cast<std::size_t>(&side - scene.description->bsdfs.data());
 }
 
-/// Of a side's texture, which is another where u and v follow otherwise from a place.
+/// Name of a side's texture. Textured sides have another one where u and v follow from a place on a round shape.
 std::string name_of(const PovScene& scene, const BsdfDescription& side, PovUv uv) {
   const std::string name = "Bsdf_" + std::to_string(number_of(scene, side));
   if (uv == PovUv::flat || !is_textured(*scene.description, side)) return name;
@@ -212,7 +212,7 @@ std::string interior_of(const PovScene& scene, const PovSurface& surface, const 
 
 namespace {
 
-/// Functions of u and v for the textures that are looked up by them.
+/// Functions of u and v for the textures that depend on them.
 void write_maps(const PovScene& scene, const PovPlan& plan, SdlWriter& out) {
   const SceneDescription& description = *scene.description;
   std::set<TextureIndex> used;

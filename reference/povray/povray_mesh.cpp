@@ -67,7 +67,7 @@ bool PovMesh::any_triangle(const std::function<bool(const std::array<Vec3d, 3>&)
   return false;
 }
 
-bool PovMesh::is_body() const {
+bool PovMesh::is_closed() const {
   std::map<std::array<float, 3>, std::uint32_t> places;
   std::vector<std::uint32_t> place_of;
   for (const Vec3f& p : mesh->positions)

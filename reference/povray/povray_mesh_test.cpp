@@ -1,4 +1,4 @@
-// POV-Ray itself on meshes: it has to show the side that Mitsuba's rules make the front, as bright as anything else.
+// POV-Ray itself on meshes: it must show the side that Mitsuba's rules make the front, at the expected brightness.
 #include "reference/povray/povray_mesh.h"
 
 #include <gtest/gtest.h>
@@ -79,23 +79,23 @@ TriangleMesh cube_mesh(bool split) {
 
 TEST(povray_mesh, is_a_body_where_it_is_closed_and_its_front_outside) {
   ShapeDescription shape;
-  const auto is_body = [&](const TriangleMesh& mesh) {
-    return place_mesh(shape, std::make_shared<const TriangleMesh>(mesh), false, 0).is_body();
+  const auto is_closed = [&](const TriangleMesh& mesh) {
+    return place_mesh(shape, std::make_shared<const TriangleMesh>(mesh), false, 0).is_closed();
   };
   TriangleMesh cube = cube_mesh(false);
-  EXPECT_TRUE(is_body(cube));
-  EXPECT_TRUE(is_body(cube_mesh(true)));
+  EXPECT_TRUE(is_closed(cube));
+  EXPECT_TRUE(is_closed(cube_mesh(true)));
   std::swap(cube.triangles[5][0], cube.triangles[5][1]);
-  EXPECT_FALSE(is_body(cube)) << "a face turned over";
+  EXPECT_FALSE(is_closed(cube)) << "a face turned over";
   cube = cube_mesh(false);
   cube.triangles.pop_back();
-  EXPECT_FALSE(is_body(cube)) << "a hole";
+  EXPECT_FALSE(is_closed(cube)) << "a hole";
   shape.flip_normals = true;
-  EXPECT_FALSE(is_body(cube_mesh(false))) << "inside out";
+  EXPECT_FALSE(is_closed(cube_mesh(false))) << "inside out";
   shape.to_world = Transform::scale({-1, 1, 1});
-  EXPECT_FALSE(is_body(cube_mesh(false))) << "mirrored, too";
+  EXPECT_FALSE(is_closed(cube_mesh(false))) << "mirrored, too";
   shape.flip_normals = false;
-  EXPECT_TRUE(is_body(cube_mesh(false))) << "mirrored";
+  EXPECT_TRUE(is_closed(cube_mesh(false))) << "mirrored";
 }
 
 TriangleMesh ball_mesh(int level) {

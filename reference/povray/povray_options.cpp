@@ -8,10 +8,10 @@ namespace photonproof::inline reference_povray {
 
 // Radiosity halves the rays at each bounce and takes its directions from one low-discrepancy sequence: counts of
 // 3 x 2^k keep the halves balanced. Others cost up to 2 % of the mean of a Cornell box.
-// A bounce more costs next to nothing: from the fifth on the cache has what is asked for.
-// What a gather costs and its noise go by photons times the disc's area, its blur by the area: so many photons on
-// small discs. At quality 1 a third of the radius and 2.5 times the photons brought `caustic-glass` from relmse 0.0020
-// in 38 s to 0.0003 in 14 s, `cornell-spheres` from 0.0008 in 45 s to 0.0002 in 18 s.
+// A further bounce is almost free: from the fifth on the cache has the samples that are needed.
+// A gather's cost and noise depend on photons times the disc's area, its blur on the area: so many photons and small
+// discs. At quality 1, a third of the radius and 2.5 times the photons improved two scenes. `caustic-glass` went from a
+// relmse of 0.0020 in 38 s to 0.0003 in 14 s, `cornell-spheres` from 0.0008 in 45 s to 0.0002 in 18 s.
 PovrayPreset povray_preset(int quality) {
   PovrayPreset preset{};
   switch (quality) {

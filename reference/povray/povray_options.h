@@ -1,4 +1,4 @@
-// What one chooses about a POV-Ray rendering, and what the three quality presets mean.
+// Options of a POV-Ray rendering, and the settings of its four quality presets.
 #pragma once
 
 #include <cstdint>
@@ -8,52 +8,52 @@
 namespace photonproof::inline reference_povray {
 
 struct PovrayOptions {
-  int width = 0;    ///< pixels; 0: the scene's film
-  int height = 0;   ///< pixels; 0: the scene's film
-  int margin = 0;   ///< pixels around the picture that are rendered, too
-  int grid = 0;     ///< k: each pixel is the mean of k x k sub-pixel centres; 0: POV-Ray refines where it sees an edge
-  int quality = 1;  ///< 1 seconds, 2 tens of seconds, 3 for comparisons that claim agreement, 4 paths without a cache
-  bool lights_apart = false;  ///< what is seen of lights that are thin in the picture is rendered besides, and added
+  int width = 0;    ///< In pixels. 0: the scene's film.
+  int height = 0;   ///< In pixels. 0: the scene's film.
+  int margin = 0;   ///< Pixels rendered around the image.
+  int grid = 0;     ///< Sub-pixels across a pixel, whose mean it is. Zero: POV-Ray refines where it sees an edge.
+  int quality = 1;  ///< Presets: 1 seconds, 2 tens of seconds, 3 for comparisons that claim agreement, 4 paths.
+  bool lights_apart = false;  ///< Renders visible lights that are thin in the image separately, and adds them.
   std::uint64_t seed =
-      1;  ///< of the places of light samples and of where paths end; POV-Ray's own sample directions are fixed
-  std::string stem = "scene";  ///< starts the names of images that the text reads from its folder
+      1;  ///< Seeds the places of light samples and the ends of paths; POV-Ray's own sample directions are fixed.
+  std::string stem = "scene";  ///< Prefix of the images that the text reads from its folder.
 };
 
-/// How lights become points: a rectangle n x n of them, a sphere `sphere` of them; a sky n x n directions, the sun's
-/// disc, too.
+/// How lights become points: a rectangle n x n of them, a sphere `sphere` of them. A sky becomes n x n directions, as
+/// does the sun's disc.
 struct PovrayLightPoints {
   int rectangle;
   int sphere;
   int sky = 8;
   int sun = 2;
-  bool fewer = false;  ///< of many area lights every few are one
+  bool fewer = false;  ///< one light stands for several where there are many area lights
 };
 
 /// Radiosity without its cache follows paths: noise in place of bias (povray_paths.h).
 struct PovrayPaths {
-  int count;          ///< rays from what is seen; half as many from what they meet, and so on down to five
-  double importance;  ///< share of a point's rays that go on
-  int directions;     ///< in the sequence that rays take theirs from
-  int grid;           ///< k: k x k sub-pixels, each with rays of its own
-  int photon_grid;    ///< the same in scenes with photons, which every ray's end gathers
+  int count;          ///< Rays from a visible point; half as many from the next one, and so on down to five.
+  double importance;  ///< Share of a point's rays that continue.
+  int directions;     ///< Length of the sequence that rays take their directions from.
+  int grid;           ///< Each pixel has grid x grid sub-pixels, each with its own rays.
+  int photon_grid;    ///< The same in scenes with photons, which every ray's end gathers.
 };
 
 /// Settings of POV-Ray's radiosity (an irradiance cache) and photons, and how lights become points.
 struct PovrayPreset {
-  PovrayLightPoints image_points;      ///< for what the camera sees
-  PovrayLightPoints photon_points;     ///< the same in scenes with photons, which each point shoots
-  PovrayLightPoints radiosity_points;  ///< for what radiosity's rays see: many rays are averaged, so few points do
-  int radiosity_count;                 ///< rays a cache sample
-  int nearest_count;                   ///< cache samples interpolated
-  double error_bound;                  ///< how far a cache sample is reused, relative to the distance of other surfaces
-  double low_error_factor = 0.8;       ///< of the error bound while the cache is filled in advance
-  double maximum_reuse;      ///< caps that distance, as a fraction of the radius of the scene's bounding sphere
-  double pretrace_end;       ///< of the image's width: spacing of the finest pass that fills the cache in advance
-  double truncation;         ///< bounces are added until about this fraction of the light is missing
-  std::int64_t photons;      ///< aimed at specular objects
-  double photon_radius;      ///< of the gather disc, as a fraction of the radius of the scene's bounding sphere
-  double radiosity_bailout;  ///< weight below which glass and mirrors end what a ray of radiosity's meets
-  std::optional<PovrayPaths> paths{};  ///< in place of the cache
+  PovrayLightPoints image_points;      ///< For surfaces that the camera sees.
+  PovrayLightPoints photon_points;     ///< The same in scenes with photons, which each point shoots.
+  PovrayLightPoints radiosity_points;  ///< For surfaces that radiosity's rays see: with many rays few points suffice.
+  int radiosity_count;                 ///< Rays per cache sample.
+  int nearest_count;                   ///< Cache samples interpolated.
+  double error_bound;                  ///< Reach of a cache sample, relative to the distance of other surfaces.
+  double low_error_factor = 0.8;       ///< Factor of the error bound while the cache is filled in advance.
+  double maximum_reuse;      ///< Cap on that distance, as a fraction of the radius of the scene's bounding sphere.
+  double pretrace_end;       ///< Spacing of the finest pass that fills the cache in advance, per image width.
+  double truncation;         ///< Bounces are added until about this fraction of the light is missing.
+  std::int64_t photons;      ///< Number aimed at specular objects.
+  double photon_radius;      ///< Radius of the gather disc, as a fraction of the radius of the scene's bounding sphere.
+  double radiosity_bailout;  ///< Weight below which glass and mirrors end a ray of radiosity's.
+  std::optional<PovrayPaths> paths{};  ///< Used instead of the cache.
 };
 
 /// Throws InputError unless `quality` is 1, 2, 3 or 4.

@@ -12,19 +12,20 @@
 namespace photonproof::inline reference_povray {
 namespace {
 
-// Bodies that rest on one another touch up to rounding; an overlap must be deeper than this fraction of the body.
+// Bodies that rest on one another touch up to rounding; an overlap must be deeper than this fraction of the object.
 constexpr double kTouch = 1e-6;
 
-/// What is asked for things inside, of the kinds of glass that lower_scene lets through.
-using Body = std::variant<PovSphere, PovBox>;
+/// Bodies that the overlap tests handle: the kinds of glass that lower_scene accepts.
+using GlassObject = std::variant<PovSphere, PovBox>;
 
-Body body_of(const PovSurface& glass) {
+GlassObject glass_object(const PovSurface& glass) {
   return std::visit(
-      Overloaded{[](const PovSphere& ball) -> Body { return ball; }, [](const PovBox& box) -> Body { return box; },
-                 [](const PovParallelogram&) -> Body { throw std::logic_error("glass without an inside"); },
-                 [](const PovRound&) -> Body { throw std::logic_error("glass without an inside"); },
-                 // The box around it: what is in that and not in the mesh is refused, too.
-                 [](const PovMesh& mesh) -> Body {
+      Overloaded{[](const PovSphere& ball) -> GlassObject { return ball; },
+                 [](const PovBox& box) -> GlassObject { return box; },
+                 [](const PovParallelogram&) -> GlassObject { throw std::logic_error("glass without an inside"); },
+                 [](const PovRound&) -> GlassObject { throw std::logic_error("glass without an inside"); },
+                 // The box around the mesh: objects in the box outside the mesh are refused, too.
+                 [](const PovMesh& mesh) -> GlassObject {
                    return PovBox{Transform::translate((mesh.low + mesh.high) * 0.5) *
                                      Transform::scale((mesh.high - mesh.low) * 0.5),
                                  false};
@@ -32,7 +33,7 @@ Body body_of(const PovSurface& glass) {
       glass.geometry);
 }
 
-/// The half-spaces of a box slightly smaller than the body.
+/// The half-spaces of a box slightly smaller than the object.
 std::vector<HalfSpace> interior(const PovBox& box) {
   std::vector<HalfSpace> region;
   for (PovParallelogram face : PovBox{box.to_world, false}.faces()) {
@@ -60,7 +61,7 @@ bool reaches_into(const PovParallelogram& face, const PovBox& box) {
   return clip_polygon({vertices.begin(), vertices.end()}, interior(box)).size() >= 3;
 }
 
-/// Whether any part of the sphere's surface (not the ball) is inside the body.
+/// Whether any part of the sphere's surface (not the ball) is inside the object.
 bool reaches_into(const PovSphere& sphere, const PovSphere& ball) {
   const double distance = length(sphere.center - ball.center);
   const double touch = kTouch * std::min(sphere.radius, ball.radius);
@@ -92,26 +93,26 @@ bool reaches_into(const PovMesh& mesh, const PovBox& box) {
   });
 }
 
-/// By the box around it: refuses a little more than it has to.
+/// Uses the object's bounding box, and so refuses a little more than necessary.
 template <class Other>
-bool reaches_into(const PovRound& round, const Other& body) {
+bool reaches_into(const PovRound& round, const Other& object) {
   const double height = round.kind == PovRound::Kind::cylinder ? 1 : 0;
   if (height == 0) {
     const PovParallelogram square{round.to_world.point({-1, -1, 0}), round.to_world.vector({2, 0, 0}),
                                   round.to_world.vector({0, 2, 0})};
-    return reaches_into(square, body);
+    return reaches_into(square, object);
   }
   const PovBox box{round.to_world * Transform::translate({0, 0, 0.5}) * Transform::scale({1, 1, 0.5}), false};
   const auto faces = box.faces();
   return std::any_of(faces.begin(), faces.end(),
-                     [&](const PovParallelogram& face) { return reaches_into(face, body); });
+                     [&](const PovParallelogram& face) { return reaches_into(face, object); });
 }
 
 template <class Other>
-bool reaches_into(const PovBox& box, const Other& body) {
+bool reaches_into(const PovBox& box, const Other& object) {
   const auto faces = box.faces();
   return std::any_of(faces.begin(), faces.end(),
-                     [&](const PovParallelogram& face) { return reaches_into(face, body); });
+                     [&](const PovParallelogram& face) { return reaches_into(face, object); });
 }
 
 }  // namespace
@@ -120,8 +121,10 @@ void refuse_overlaps_with_glass(const PovScene& scene) {
   const SceneDescription& description = *scene.description;
   for (const PovSurface& glass : scene.surfaces) {
     if (!is_glass(glass)) continue;
-    const Body body = body_of(glass);
-    const auto holds = [&](const Vec3d& p) { return std::visit([&](const auto& b) { return contains(b, p); }, body); };
+    const GlassObject object = glass_object(glass);
+    const auto holds = [&](const Vec3d& p) {
+      return std::visit([&](const auto& b) { return contains(b, p); }, object);
+    };
     const auto reached_by = [&](const auto& other, const auto& b) { return reaches_into(other, b); };
     const bool mesh = std::holds_alternative<PovMesh>(glass.geometry);
     const std::string inside = std::string(" inside or across the ") + (mesh ? "box around the " : "") +
@@ -129,7 +132,7 @@ void refuse_overlaps_with_glass(const PovScene& scene) {
                                ": POV-Ray does not scale radiance by the squared index of refraction";
     for (const PovSurface& other : scene.surfaces) {
       if (other.shape == glass.shape) continue;
-      if (std::visit(reached_by, other.geometry, body))
+      if (std::visit(reached_by, other.geometry, object))
         throw Unrepresentable(description.where(other.shape->loc), "a surface" + inside);
     }
     for (const EmitterDescription& emitter : description.emitters)

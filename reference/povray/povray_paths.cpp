@@ -14,12 +14,12 @@ namespace {
 /// numbers, so that neither lie along walls.
 constexpr double kCell = 0.0371, kInnerCell = 0.00863;
 
-/// Radius of a ball around everything, in POV-Ray's lengths; what stands for an endless plane ends before.
+/// Radius of a ball around everything, in POV-Ray's lengths; squares for endless planes end before.
 constexpr double kAround = 1e6;
 
 double uniform(std::mt19937_64& random) { return static_cast<double>(random() >> 11) * 0x1p-53; }
 
-/// Of the plain diffuse sides of a surface; a back that is none is black.
+/// Whether a side is plainly diffuse; a missing back counts as a black one.
 bool is_plainly_diffuse(const BsdfDescription* side) {
   return side == nullptr || std::holds_alternative<DiffuseDescription>(side->model);
 }

@@ -1,4 +1,4 @@
-// POV-Ray's radiosity without its cache against what theory says, and against itself by other random numbers.
+// POV-Ray's radiosity without its cache, compared with theory and with itself under other random numbers.
 #include "reference/povray/povray_paths.h"
 
 #include <gtest/gtest.h>
@@ -29,8 +29,8 @@ SceneDescription ball(double albedo, const std::string& more = "") {
   return parse_scene_text(text, "ball.xml");
 }
 
-/// A floor and a wall in the open, lit by a spot that points at the floor: most of the wall's light is by the floor,
-/// and most of its rays meet nothing.
+/// A floor and a wall in the open, lit by a spot that points at the floor. Most of the wall's light comes from the
+/// floor, and most of its rays meet nothing.
 const std::string kCorner = R"(<scene version="3.0.0"><integrator type="path"/>
     <sensor type="perspective"><float name="fov" value="40"/>
       <transform name="to_world"><lookat origin="0, 1, 3" target="0, 1, 0" up="0, 1, 0"/></transform>
@@ -76,8 +76,8 @@ Rendering by_paths(const SceneDescription& scene, int size = 32, std::uint64_t s
   return render_povray(export_povray(scene, {.width = size, .height = size, .quality = 4, .seed = seed})).rendering;
 }
 
-/// Radiance of the direct light where the eye looks, averaged over the picture by a sum over its pixels, and of all
-/// that bounced: E rho / pi, and rho / (1 - rho) of the flux spread evenly.
+/// Direct and bounced radiance at the visible points. The direct part is E rho / pi, averaged over the image by a sum
+/// over its pixels. The bounced part is rho / (1 - rho) of the flux spread evenly.
 double integrating_ball(double albedo) {
   const double half = std::tan(std::numbers::pi / 6);
   double direct = 0;
@@ -95,17 +95,17 @@ double integrating_ball(double albedo) {
   return albedo / std::numbers::pi * (direct + albedo / (1 - albedo));
 }
 
-// Quality 4 claims no bias. A ball of albedo 0.5 loses 2^-21 to the end of its bounces, and what is left is chance: an
-// error of 0.5 % would be seen. Paths that ended in a quarter of every surface without the rest being brighter: -20 %.
+// Quality 4 claims no bias. A ball of albedo 0.5 loses 2^-21 to the end of its bounces; the rest is noise, and the test
+// detects an error of 0.5 %. Paths that ended in a quarter of every surface without a brighter rest would give -20 %.
 TEST(povray_paths, find_the_light_of_an_integrating_sphere) {
   const MeanOf mean = green_mean(by_paths(ball(0.5)));
   EXPECT_NEAR(mean.value, integrating_ball(0.5), 4 * mean.standard_error + 2e-4 * mean.value);
   EXPECT_LT(mean.standard_error, 1.2e-3 * mean.value) << "what the tolerance is";
 }
 
-// All that is seen came around two corners. Its mean by the bidirectional path tracer, which shares no code with
+// All visible light came around two corners. Its mean is from the bidirectional path tracer, which shares no code with
 // POV-Ray: `photonproof render scenes/library/corridor/scene.xml --integrator bdpt --size 32x32 --spp 8192`, to 0.3 %.
-// POV-Ray's cache makes it 140 % more. Bounces that take their directions in step would be seen, too: -37 %.
+// POV-Ray's cache makes it 140 % more. Bounces with directions in step would be detected, too: -37 %.
 TEST(povray_paths, find_light_that_comes_around_corners) {
   const MeanOf mean =
       green_mean(by_paths(parse_scene_file(PHOTONPROOF_SOURCE_DIR "/scenes/library/corridor/scene.xml"), 24));
@@ -113,8 +113,8 @@ TEST(povray_paths, find_light_that_comes_around_corners) {
   EXPECT_LT(mean.standard_error, 0.04 * 0.01292);
 }
 
-// Without the ball around everything, samples whose rays all miss are kept, and found from then on: a wall that most of
-// its rays see nothing from was black from some pixel on.
+// Without the ball around everything, POV-Ray keeps samples whose rays all miss and reuses them from then on. A wall
+// whose rays mostly miss was black from some pixel on.
 TEST(povray_paths, of_an_open_scene_find_its_light_in_every_part_of_the_picture) {
   const Rendering picture = by_paths(parse_scene_text(kCorner, "corner.xml"));
   const Rendering cached =
@@ -131,7 +131,7 @@ TEST(povray_paths, of_an_open_scene_find_its_light_in_every_part_of_the_picture)
   }
 }
 
-// Their spread from seed to seed is what the variance says, of which edges of the picture would be part: there are
+// The variance predicts their spread from seed to seed. Edges in the image would count in the variance; this image has
 // none.
 TEST(povray_paths, say_how_far_their_mean_is_off) {
   constexpr int count = 8;
@@ -148,8 +148,8 @@ TEST(povray_paths, say_how_far_their_mean_is_off) {
   EXPECT_GT(measured, 0.05 * claimed) << "seeds that change nothing";
 }
 
-// The grid's middles are anywhere in their sub-pixels, one as likely as the other: of 1,000 seeds the mean is 0 to 4 of
-// its deviations and the variance 1/12, of which 4 are 10 %; across and down have nothing to do with each other.
+// The grid's centres are uniform in their sub-pixels. Over 1,000 seeds their mean is 0 within 4 standard errors, and
+// their variance is 1/12 within 4 standard errors, which are 10 %. The shifts across and down are independent.
 TEST(povray_paths, move_their_grid_evenly_within_a_sub_pixel) {
   constexpr int count = 1000, across = 80, down = 60;
   PovCamera camera;
@@ -171,7 +171,7 @@ TEST(povray_paths, move_their_grid_evenly_within_a_sub_pixel) {
   EXPECT_EQ(with_moved_grid(camera, across, down, 1).middle_x, 0.25);
 }
 
-// 0.55 is between the third and the fourth of five lines: a fixed grid makes it 0.6, whatever the seed.
+// 0.55 is between the third and the fourth of five lines: a fixed grid makes it 0.6 for every seed.
 TEST(povray_paths, show_an_edge_by_the_lines_of_their_grid_that_meet_the_wall) {
   double least = 1, most = 0;
   for (std::uint64_t seed = 1; seed <= 5; ++seed) {

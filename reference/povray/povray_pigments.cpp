@@ -18,8 +18,8 @@ std::string file_name(std::size_t texture, const std::string& stem) {
   return stem + "_texture_" + std::to_string(texture) + ".exr";
 }
 
-/// Of the ball on which a sky is seen that lights by other means, in radii of the scene: beyond every plane, which end
-/// at a thousand.
+/// Radius of the ball that shows a sky which lights by other means, in radii of the scene. It lies beyond every plane;
+/// planes end at a thousand.
 constexpr double kSkyDistance = 2500;
 
 std::string sky_name(const std::string& stem) { return stem + "_sky.exr"; }
@@ -31,7 +31,7 @@ std::string back_to_uv(const Transform& to_uv) {
   return flat == Transform() ? "" : matrix_sdl(flat.inverse().value());
 }
 
-/// What an image that is mirrored at its edges repeats.
+/// The repeated unit of an image that is mirrored at its edges.
 std::shared_ptr<const Image> repeated_unit(const BitmapDescription& bitmap) {
   if (bitmap.wrap != TextureWrap::mirror) return bitmap.image;
   const Image& image = *bitmap.image;

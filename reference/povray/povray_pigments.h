@@ -10,31 +10,31 @@
 
 namespace photonproof::inline reference_povray {
 
-/// An image that the exported text names, to be written beside it.
+/// An image that the exported text reads; it is written beside the text.
 struct PovFile {
   std::string name;
   std::shared_ptr<const Image> image;
 };
 
-/// "pigment{...}" over the plane of u and v, z = 0, or where u and v follow from a place on a round shape, over the
-/// shape's own axes; those need write_maps before. `stem` starts the names of files.
+/// "pigment{...}" over the plane of u and v, z = 0. Where u and v follow from a place on a round shape, it is over the
+/// shape's own axes and needs write_maps before. `stem` is the prefix of the files' names.
 std::string pigment_sdl(const SceneDescription& scene, const Colour& colour, const std::string& stem,
                         PovUv uv = PovUv::flat);
 
-/// The name of what write_maps declares for a texture: a pigment's colour as a function of (u, v, 0).
+/// The name that write_maps declares for a texture: a pigment's colour as a function of (u, v, 0).
 std::string map_name(TextureIndex texture);
 std::string map_declaration(const SceneDescription& scene, TextureIndex texture, const std::string& stem);
 
-/// A pigment whose channels, no more than `greatest`, are those of a declared map at these places, and which lets
-/// light through by them if it is a filter.
+/// A pigment whose channels, at most `greatest`, are those of a declared map at these places. A filter transmits light
+/// by them.
 std::string mapped_pigment(TextureIndex texture, const std::string& u, const std::string& v, double greatest,
                            bool filter);
 
 /// " matrix<...>" of a transform; POV-Ray multiplies row vectors, so that its rows are the images of the axes.
 std::string matrix_sdl(const Transform& to, double scale = 1);
 
-/// What is seen of the sky where nothing else is, times `exposure`, lengths times `scale`: a background, a sky_sphere
-/// or a ball far away.
+/// The visible sky where no surface is: a background, a sky_sphere or a distant ball. Its radiance is multiplied by
+/// `exposure`, lengths by `scale`.
 std::string sky_sdl(const PovScene& scene, double exposure, double scale, const std::string& stem);
 
 /// The files that surfaces and the sky need.

@@ -29,7 +29,7 @@ bool any_in_front(const PovSurface& from, const PovSurface& to) {
 }
 
 bool sees_itself(const PovSurface& surface) {
-  return std::visit(Overloaded{[](const PovMesh&) { return true; },  // for all that is known
+  return std::visit(Overloaded{[](const PovMesh&) { return true; },  // undecided: assume yes
                                [](const PovSphere& sphere) { return sphere.inward; },
                                [](const PovRound& round) {
                                  return round.kind == PovRound::Kind::cylinder;  // through its open ends
@@ -42,12 +42,12 @@ int max_depth(const SceneDescription& scene) { return scene.integrator.limits().
 
 struct Facts {
   bool diffuse = false, specular = false;
-  bool spots = false;        ///< lights written as points
-  bool surrounding = false;  ///< lights left to radiosity
-  bool indirect = false;  ///< light can go from diffuse surface to diffuse surface, or comes from a surrounding light
-  bool many_lights = false;  ///< has_many_lights
-  double albedo = 0;         ///< largest of any diffuse surface
-  double mean_albedo = 0;    ///< of the diffuse surfaces by area, in the channel where it is largest
+  bool spots = false;        ///< Lights written as points.
+  bool surrounding = false;  ///< Lights left to radiosity.
+  bool indirect = false;  ///< Light can go from diffuse surface to diffuse surface, or comes from a surrounding light.
+  bool many_lights = false;  ///< The result of has_many_lights.
+  double albedo = 0;         ///< The largest of any diffuse surface.
+  double mean_albedo = 0;    ///< The mean of the diffuse surfaces by area, in the channel where it is largest.
 };
 
 Facts find_facts(const PovScene& scene) {
@@ -66,7 +66,7 @@ Facts find_facts(const PovScene& scene) {
     facts.diffuse = true;
     facts.indirect |= scene.sky && !scene.sky_as_lights;
     facts.albedo = std::max(facts.albedo, surface.optics.diffuse.greatest);
-    // What stands for a plane counts as far as it is near the rest.
+    // A surface that stands for a plane counts only the area near the rest of the scene.
     const double counted = surface.endless ? std::numbers::pi * scene.radius * scene.radius : area(surface);
     albedo_area += surface.optics.diffuse.mean * counted;
     diffuse_area += counted;
@@ -85,8 +85,8 @@ Facts find_facts(const PovScene& scene) {
 /// The power of two nearest to `x` on a logarithmic scale: multiplying by it rounds nothing.
 double power_of_two(double x) { return std::exp2(std::round(std::log2(x))); }
 
-/// Half floats keep 11 bits between 6e-5 and 65504. The mean radiance is put near 1 with an estimate that is good to an
-/// order of magnitude: all flux spread evenly over all diffuse surfaces, bounced at the largest albedo.
+/// Half floats keep 11 bits between 6e-5 and 65504. An estimate of the mean radiance puts it near 1, to an order of
+/// magnitude: all flux spread evenly over all diffuse surfaces, bounced at the largest albedo.
 double choose_exposure(const PovScene& scene, const Facts& facts) {
   double flux = 0, diffuse_area = 0, brightest = 0, surrounding = 0;
   for (const PovSurface& surface : scene.surfaces) {
@@ -128,9 +128,9 @@ int bounces_for(double albedo, double fraction) {
   return std::clamp(static_cast<int>(std::ceil(std::log(fraction) / std::log(albedo))) - 1, 1, kMostBounces);
 }
 
-/// The loss declared: what the mean albedo makes it in a closed room, and the bound that no scene passes, both of the
-/// flux on all surfaces. Of a picture it may be more: 1.03 % of `integrating-sphere`, which looks away from the light,
-/// where 0.92 % is the bound.
+/// The declared loss: that of a closed room with the mean albedo, and an upper bound for all scenes, both as shares of
+/// the flux on all surfaces. An image may lose more: 1.03 % in `integrating-sphere`, which looks away from the light,
+/// with a bound of 0.92 %.
 std::string truncation_loss(const Facts& facts, int bounces) {
   const double about = std::pow(facts.mean_albedo, bounces + 1);
   const double most = std::pow(std::min(facts.albedo, 1.0), bounces + 1);
@@ -155,7 +155,7 @@ void plan_radiosity(PovPlan& plan, const Facts& facts, int depth) {
   } else {
     plan.radiosity = true;
     plan.brightness = 2;
-    // Rays see twins where there are lights, and only they have what ends a path by chance.
+    // Rays see twins where there are lights, and only twins can end a path by chance.
     plan.paths = plan.preset.paths && plan.point_lights && !facts.surrounding;
     plan.recursion_limit = plan.paths ? kMostBounces : bounces_for(facts.mean_albedo, plan.preset.truncation);
     const bool ends_early = depth >= 0 && depth - edges <= plan.recursion_limit;
@@ -164,8 +164,8 @@ void plan_radiosity(PovPlan& plan, const Facts& facts, int depth) {
       plan.preset.radiosity_count /= 8;  // for what they see; kLightsForRays
     } else if (plan.recursion_limit > 12 && !plan.paths) {
       // The fourth and later bounces come out low, by 1.5 % and more each, unless the cache is dense; half the rays pay
-      // for it. `concentric-spheres`: -0.48 % in 6.8 s for -1.01 % in 10 s; `cornell`: -0.18 % in 5.2 s for 0.17 % in
-      // 8.3 s.
+      // for it. `concentric-spheres` then has -0.48 % in 6.8 s instead of -1.01 % in 10 s, `cornell` -0.18 % in 5.2 s
+      // instead of 0.17 % in 8.3 s.
       plan.preset.radiosity_count /= 2;
       plan.preset.low_error_factor = 0.3;
       plan.preset.pretrace_end *= 2;

@@ -1,4 +1,4 @@
-// Every reason for which a scene is not written for POV-Ray, each with the whole message.
+// Every reason why a scene is not written for POV-Ray, each with the whole message.
 #include <gtest/gtest.h>
 
 #include "reference/engines/not_representable.h"
@@ -12,7 +12,7 @@ namespace {
 const std::string kLight = "<emitter type='point'><point name='position' value='0 5 0'/></emitter>\n";
 const std::string kGlass = "<shape type='sphere'><bsdf type='dielectric'/></shape>\n";
 
-/// What is said about a scene of a camera in line 1, `content` from line 2 on.
+/// The refusal message for a scene with a camera in line 1 and `content` from line 2 on.
 std::string refusal(const std::string& content, const std::string& camera = kCamera,
                     const PovrayOptions& options = {}) {
   return refusal_by([&](const SceneDescription& scene) { export_povray(scene, options); }, content, camera);

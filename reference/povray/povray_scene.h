@@ -1,5 +1,5 @@
-// A scene broken down into what POV-Ray has primitives for, in world space and scene units, with the choices that
-// decide how each is written. Pointers are into the SceneDescription, which must outlive this.
+// A scene broken down into POV-Ray's primitives, in world space and scene units, with the choices that decide how each
+// is written. Pointers are into the SceneDescription, which must outlive this.
 #pragma once
 
 #include <array>
@@ -34,7 +34,7 @@ struct PovBox {
   std::array<PovParallelogram, 6> faces() const;
 };
 
-/// The unit disc z = 0, or the side of the unit cylinder about z from z = 0 to 1, through `to_world`, which leaves it
+/// The unit disc z = 0, or the side of the unit cylinder about z from z = 0 to 1, mapped by `to_world`, which keeps it
 /// round. The front is +z, or outside.
 struct PovRound {
   enum class Kind { disk, cylinder } kind = Kind::disk;
@@ -46,46 +46,46 @@ struct PovRound {
 
 using PovGeometry = std::variant<PovParallelogram, PovSphere, PovBox, PovMesh, PovRound>;
 
-/// How a place on a surface gives its u and v: along two edges, or as round shapes do.
+/// How a place on a surface determines u and v: along two edges, or as round shapes do.
 enum class PovUv { flat, sphere, disk, cylinder };
 
 struct PovSurface {
   PovGeometry geometry;
   const ShapeDescription* shape = nullptr;
   PovSides sides;
-  PovOptics optics;  ///< of its front, and of its back where that is brighter
+  PovOptics optics;  ///< of its front, or of its back where that is brighter
   /// From (u, v, off the surface) to world space, or from a round shape's own axes.
   Transform uv;
   PovUv uv_kind = PovUv::flat;
-  /// Lights that enclose what they light are left to radiosity, which finds them with any ray; others are too small for
-  /// its rays and become point lights. `picture`: seen, and nothing is there that it could light.
+  /// Radiosity's rays find lights that enclose the surfaces they light. Other lights are too small for its rays and
+  /// become point lights. `picture`: visible, with no surface that it could light.
   enum class Emission { none, spots, radiosity, picture } emission = Emission::none;
-  bool clear_back = false;  ///< the camera looks through it from behind, in place of a near clip plane
-  bool endless = false;     ///< stands for a plane; counts as far as nothing else does
-  bool clipped = false;     ///< by the camera's clip planes, which POV-Ray cuts it at
-  /// What is behind it absorbs, per scene unit.
+  bool clear_back = false;  ///< The camera looks through it from behind, in place of a near clip plane.
+  bool endless = false;     ///< Stands for a plane; counts only as far as other surfaces reach.
+  bool clipped = false;     ///< POV-Ray cuts it at the camera's clip planes.
+  /// Absorption of the medium behind it, per scene unit.
   std::optional<RgbD> absorption{};
 };
 
 struct PovScene {
   const SceneDescription* description = nullptr;
   std::vector<PovSurface> surfaces;
-  Vec3d center{0, 0, 0};  ///< of the bounding sphere of surfaces and point lights
-  double radius = 1;      ///< of that sphere; never 0
-  /// The light from all around that is no surface's: constant or an envmap, which may be `baked_sky`.
+  Vec3d center{0, 0, 0};  ///< Centre of the bounding sphere of surfaces and point lights.
+  double radius = 1;      ///< Radius of that sphere; never 0.
+  /// Environment light, constant or an envmap, which may be `baked_sky`.
   const EmitterDescription* sky = nullptr;
-  std::shared_ptr<const EmitterDescription> baked_sky{};  ///< of a sunsky, without its sun
+  std::shared_ptr<const EmitterDescription> baked_sky{};  ///< a sunsky's sky without its sun
   const SunSkyDescription* sun = nullptr;
-  /// The sky lights by parallel lights and is seen on a ball far away; else radiosity's rays find it.
+  /// The sky becomes parallel lights and a visible distant ball; else radiosity's rays find it.
   bool sky_as_lights = false;
-  bool hides_lights = false;  ///< from the camera, which looks through them
-  /// Shapes that no file spells out: those of instances.
+  bool hides_lights = false;  ///< the camera looks through lights
+  /// Shapes that no file states explicitly: those of instances.
   std::shared_ptr<std::list<ShapeDescription>> copies = std::make_shared<std::list<ShapeDescription>>();
 };
 
 double area(const PovSurface& surface);
 
-/// The corners of what is flat, of a mesh those of its box, and how far anything reaches around them.
+/// The corners of a flat surface or of a mesh's box, and how far the surface reaches around them.
 struct PovExtent {
   std::vector<Vec3d> points;
   double reach = 0;
@@ -99,7 +99,7 @@ bool is_specular(const PovSurface& surface);
 /// Glass with an inside.
 bool is_glass(const PovSurface& surface);
 
-/// Where an emitter stands; nothing for those that are infinitely far.
+/// Where an emitter stands; empty for emitters that are infinitely far.
 std::optional<Vec3d> position_of(const EmitterDescription& emitter);
 /// The radiance of a constant sky or the mean of an envmap.
 RgbD mean_radiance(const EmitterDescription& sky);
@@ -107,9 +107,9 @@ RgbD mean_radiance(const EmitterDescription& sky);
 /// Whether an emitter is constant, an envmap or a sunsky.
 bool is_sky(const EmitterDescription& emitter);
 
-/// Throws Unrepresentable for what povray_bsdf.h refuses and: emitters that are not diffuse, open surfaces
-/// of glass, surfaces, lights or the camera inside glass (POV-Ray does not scale radiance by the squared index),
-/// media that scatter, textures on curved shapes and on lights that light something.
+/// Throws Unrepresentable for everything that povray_bsdf.h refuses. It also refuses emitters that are not diffuse,
+/// open surfaces of glass, media that scatter, and textures on curved shapes and on lights that light something.
+/// Surfaces, lights and the camera must not be inside glass, as POV-Ray does not scale radiance by the squared index.
 PovScene lower_scene(const SceneDescription& description);
 
 }  // namespace photonproof::inline reference_povray

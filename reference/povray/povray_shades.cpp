@@ -12,10 +12,10 @@
 namespace photonproof::inline reference_povray {
 namespace {
 
-// In POV-Ray's lengths: small against the scene, which is some 64 wide, and well above what shadow rays forgive.
+// In POV-Ray's lengths: small against the scene, which is some 64 wide, and well above the tolerance of shadow rays.
 constexpr double kRadius = 0.02;
 
-/// What a share of the light passes through.
+/// A pigment that transmits a share of the light.
 std::string passes(double share) { return "rgbt <0,0,0," + format_number(share) + ">"; }
 
 std::string ball(const std::string& pigment, const Transform& to_world, double scale, double radius = kRadius) {
@@ -35,7 +35,7 @@ std::string by_angle(const std::string& cosine, const std::string& entries) {
 
 std::string entry(double at, double share) { return "[" + format_number(at) + " " + passes(share) + "]"; }
 
-/// What stands in a pigment for one plane of the table, from the nadir at 0 to the zenith at 1.
+/// The entries of a pigment for one plane of the table, from the nadir at 0 to the zenith at 1.
 std::string plane_pigment(const IesProfile& profile, std::size_t plane, double greatest) {
   const std::vector<double>& angles = profile.vertical_degrees;
   std::string entries;
@@ -55,7 +55,7 @@ std::string spot_shade(const SpotLightDescription& light, double scale) {
 }
 
 std::string slide_shade(const SpotLightDescription& light, double greatest, double scale) {
-  // Local +x is to the left of who looks along +z, as with cameras; behind the light it is dark anyway.
+  // Local +x is to the left of a viewer along +z, as with cameras; behind the light it is dark anyway.
   const std::string per_width = format_number(0.5 / std::tan(light.cutoff_degrees * std::numbers::pi / 180));
   const auto along = [&](const std::string& axis) { return "0.5+" + per_width + "*" + axis + "/max(z,0.001)"; };
   return ball(mapped_pigment(*light.texture, along("x"), along("y"), greatest, true), light.to_world, scale,

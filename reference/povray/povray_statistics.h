@@ -1,4 +1,4 @@
-// Reads what POV-Ray says of a run: the +GS statistics file and the console.
+// Reads POV-Ray's output of a run: the +GS statistics file and the console.
 #pragma once
 
 #include <map>
@@ -15,7 +15,7 @@ struct PovrayStatistics {
   std::map<std::string, double> counts;
 };
 
-/// What the text does not mention is absent from the maps.
+/// Reads the statistics. Values that the text does not mention are absent from the maps.
 PovrayStatistics parse_povray_statistics(std::string_view text);
 
 /// "3.7.0.10.unofficial", from the banner every run prints; empty when there is none.
@@ -24,7 +24,7 @@ std::string povray_version(std::string_view console);
 /// Share of pixels done, from the last "Rendered N of M pixels" of a piece of the console.
 std::optional<double> povray_progress(std::string_view console);
 
-/// The lines that say what went wrong ("File 'scene.pov' line 3: Parse Error: ..."), joined; empty when there are none.
+/// The lines of an error ("File 'scene.pov' line 3: Parse Error: ..."), joined; empty when there are none.
 std::string povray_errors(std::string_view console);
 
 }  // namespace photonproof::inline reference_povray

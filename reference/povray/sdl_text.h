@@ -1,5 +1,5 @@
-// Writing POV-Ray's scene description language: numbers, vectors and comments, with nothing a scene file says able to
-// leave a comment.
+// Writes numbers, vectors and comments of POV-Ray's scene description language. No text of a scene file can leave a
+// comment.
 #pragma once
 
 #include <functional>
@@ -22,7 +22,7 @@ std::string rounded(double value);
 /// `text` as one line of printable ASCII: control and other bytes become '?'.
 std::string ascii_line(std::string_view text);
 
-/// A text in parts, of which some are made only when they are written, because they are too long to be kept.
+/// A text in parts. Parts too long to keep are made only when they are written.
 class SdlText {
  public:
   void append(std::string_view text);
@@ -39,7 +39,7 @@ class SdlWriter {
   /// A comment line that is also kept as an explanation of the conversion.
   void explain(std::string_view text);
   void line(std::string_view sdl);
-  /// Whole lines that `part` writes, whenever and as often as the text is written: what it needs it must own.
+  /// Whole lines that `part` writes each time the text is written; `part` must own all it uses.
   void later(std::function<void(std::ostream&)> part) { text_.append(std::move(part)); }
   const SdlText& text() const { return text_; }
   const std::vector<std::string>& explanations() const { return explanations_; }

@@ -1,4 +1,4 @@
-// The references committed in the scene library: whole, of what their scenes say now, and with the known means.
+// The references committed in the scene library: complete, up to date with their scenes, and with the known means.
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// Where a stored reference comes from: the JSON beside its EXR, for people, for diffs, and for the checks on reading.
+// The origin of a stored reference: the JSON beside its EXR, for people, for diffs, and for the checks on reading.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@
 
 namespace photonproof::inline reference_store {
 
-/// One time that somebody replaced a reference by another, and why.
+/// One replacement of a reference by another, with its reason.
 struct Acceptance {
   std::string date;  ///< UTC, ISO 8601
   std::string reason;
@@ -17,27 +17,27 @@ struct Acceptance {
   friend bool operator==(const Acceptance&, const Acceptance&) = default;
 };
 
-/// The second parent: an estimator that shares no sampling path with the first, and agrees with it.
+/// An independent reference: its estimator shares no sampling path with the first, and agrees with it.
 struct ReferenceWitness {
   std::string estimator;
-  std::uint64_t samples = 0;          ///< a pixel, in all batches
+  std::uint64_t samples = 0;          ///< per pixel, in all batches
   double standard_error = 0;          ///< relative, of its pixels
-  std::optional<double> would_see{};  ///< the least relative error of the mean that shows with probability 0.99
+  std::optional<double> would_see{};  ///< minimum detectable relative error of the mean, with probability 0.99
   friend bool operator==(const ReferenceWitness&, const ReferenceWitness&) = default;
 };
 
 struct Provenance {
   std::string scene_hash;                ///< of the scene and its assets (scenes/description/scene_hash.h)
-  std::vector<std::string> definitions;  ///< "name=value" of -D, sorted; empty: the scene as it is
+  std::vector<std::string> definitions;  ///< "name=value" of -D, sorted; empty: the unchanged scene
   int width = 0, height = 0;
-  std::string estimator;             ///< the integrator: "bdpt"
-  std::uint64_t samples = 0;         ///< a pixel, in all batches
-  std::vector<std::uint64_t> seeds;  ///< one an independent batch; the variance has one degree of freedom less
-  double standard_error = 0;         ///< relative, of the pixels as stored (reference_store.h)
-  /// Relative, of the pixels, as the estimator knows it itself: of progressive photon mapping, whose radius is never 0.
-  /// The truth is within both of them together. 0: unbiased.
+  std::string estimator;             ///< The integrator: "bdpt".
+  std::uint64_t samples = 0;         ///< Per pixel, in all batches.
+  std::vector<std::uint64_t> seeds;  ///< One per independent batch; the variance has one degree of freedom less.
+  double standard_error = 0;         ///< Relative, of the pixels as stored (reference_store.h).
+  /// Relative bias of the pixels as the estimator states it: progressive photon mapping's radius is never 0. The truth
+  /// is within both errors together. 0: unbiased.
   double bias = 0;
-  /// Empty of references from before there were any, and where no other estimator renders the scene.
+  /// Empty for references older than this check, and where no other estimator renders the scene.
   std::optional<ReferenceWitness> witness{};
   std::string pixels;  ///< checksum of the stored mean and variance
   std::map<std::string, std::string> versions;
@@ -47,15 +47,15 @@ struct Provenance {
   friend bool operator==(const Provenance&, const Provenance&) = default;
 };
 
-/// In words: "estimator", "samples", "batches", "standard_error", "scene_hash", "pixels", "date", "host" and
-/// "version", and "definitions" and "witness" where there are any. For reports, and for what an Acceptance keeps.
+/// Facts as text: "estimator", "samples", "batches", "standard_error", "scene_hash", "pixels", "date", "host" and
+/// "version", and "definitions" and "witness" where there are any. Used in reports and in an Acceptance.
 std::map<std::string, std::string> facts(const Provenance& provenance);
 
 /// Indented JSON that ends in a line break. Precondition: the standard error is finite.
 std::string provenance_text(const Provenance& provenance);
 
-/// Throws InputError, naming `file`, when the text is not JSON, lacks a key, has one that is not known, or a value that
-/// cannot be.
+/// Throws InputError, naming `file`, when the text is not JSON, lacks a key, or has an unknown key or an impossible
+/// value.
 Provenance parse_provenance(const std::string& text, const std::string& file);
 
 }  // namespace photonproof::inline reference_store

@@ -1,5 +1,5 @@
-// The members of a reference's provenance (reference/store/provenance.h), as scenes/records/record_note.h describes
-// records.
+// The members of a reference's provenance (reference/store/provenance.h), in the form that
+// scenes/records/record_note.h defines for records.
 #pragma once
 
 #include "reference/store/provenance.h"

@@ -29,7 +29,7 @@ std::string checksum_of(const Rendering& rendering) {
   return checksum.hex();
 }
 
-/// Of the whole image, where the rendering is a part of one.
+/// Size of the whole image, where the rendering is a part of one.
 std::pair<int, int> whole_size(const Rendering& rendering) {
   return rendering.place ? std::pair(rendering.place->width, rendering.place->height)
                          : std::pair(rendering.mean.width, rendering.mean.height);
@@ -60,7 +60,7 @@ void check_halves(const fs::path& exr, const Image& mean) {
                                          ", more than a half float can be (65504): keep this reference in the cache");
 }
 
-/// Throws what is wrong, without the command.
+/// Throws the defect's message, without the command.
 StoredReference checked(const fs::path& exr, const std::string& hash, int width, int height) {
   const fs::path json = provenance_path(exr);
   StoredReference stored{{}, parse_provenance(read_file(json), json.string()), exr};
@@ -154,7 +154,7 @@ Provenance write_reference(const fs::path& exr, const Rendering& rendering, Prov
   std::tie(provenance.width, provenance.height) = whole_size(stored);
   provenance.pixels = checksum_of(stored);
   provenance.standard_error = relative_standard_error(stored);
-  // A process that ends between the two leaves pixels that do not fit, which reading says.
+  // A process that ends between the two writes leaves pixels that do not fit; reading detects this.
   write_exr(exr.string(), stored, halves ? ExrColour::half : ExrColour::single);
   write_file_atomically(provenance_path(exr), provenance_text(provenance));
   return provenance;

@@ -242,7 +242,7 @@ TEST_F(ReferenceStore, good_reference_is_replaced_with_a_reason_only_and_both_ar
   EXPECT_EQ(stored.provenance.state_of_path[0].after, facts(stored.provenance));
 
   put("scene.xml", scene_text + "<!-- moved -->");
-  commit(image(0.5f));  // the old one is of no use now: no reason is asked for
+  commit(image(0.5f));  // the old one is out of date, so no reason is needed
   const Provenance third = load_reference(scene(), 5, 4).provenance;
   ASSERT_EQ(third.state_of_path.size(), 2u);
   EXPECT_EQ(third.state_of_path[1].reason, "the scene has changed");

@@ -1,4 +1,4 @@
-// The identity of a render, by which a checkpoint knows whether it fits.
+// The identity of a render, which decides whether a checkpoint fits.
 #pragma once
 
 #include "renderer/api/render_scene.h"
@@ -7,7 +7,7 @@
 
 namespace photonproof::inline renderer_api {
 
-/// Everything that decides the bits of the image, apart from the budget: a checkpoint may be resumed with a larger one.
+/// Everything that affects the bits of the image, except the budget: a checkpoint may be resumed with a larger one.
 RenderIdentity render_identity(const SceneDescription& description, const RenderRequest& request,
                                const RenderPlan& plan, const Tile& window);
 

@@ -1,9 +1,10 @@
-// The renderer as a library: a scene description and a request in, an image and its stats out. The verb `render` is
+// The renderer as a library: a scene description and a request in, an image and its stats out. The command `render` is
 // this function between a command line and files.
-//
+// ```
 //   const SceneDescription scene = parse_scene_file("scene.xml");
 //   const Rendered rendered = render_scene(scene, {.integrator = "photonmapper", .budget = {.spp = 64}});
 //   write_exr("image.exr", rendered.image);
+// ```
 #pragma once
 
 #include <cstdint>
@@ -20,48 +21,47 @@
 namespace photonproof::inline renderer_api {
 
 struct RenderRequest {
-  std::string integrator{};                 ///< a name of `integrators()`; empty: the scene's own
-  std::optional<IndirectLight> indirect{};  ///< of the photon mapper; empty: the scene's own
-  RenderBudget budget{};                    ///< empty: the scene's samples a pixel
+  std::string integrator{};                 ///< A name of `integrators()`. Empty: the scene's own.
+  std::optional<IndirectLight> indirect{};  ///< The photon mapper's. Empty: the scene's own.
+  RenderBudget budget{};                    ///< Empty: the scene's samples per pixel.
   std::uint64_t seed = 0;
   int threads = 0;  ///< 0: every core. The image does not depend on it.
   int grid = 0;     ///< k > 0: samples on the centres of a k x k grid in each pixel
   SamplerKind sampler = SamplerKind::sobol;
   Aov view = Aov::whole;
-  std::vector<std::string> no_skip{};           ///< names of skip_table() to switch off, or "all"
-  std::string isa{};                            ///< instruction set of the kernels; empty: the processor's best
-  std::optional<FilmDescription::Crop> crop{};  ///< pixels, of the whole image; empty: the scene's own
+  std::vector<std::string> no_skip{};           ///< Names of skip_table() to switch off, or "all".
+  std::string isa{};                            ///< Instruction set of the kernels. Empty: the processor's best.
+  std::optional<FilmDescription::Crop> crop{};  ///< Pixels of the whole image. Empty: the scene's own.
 
-  /// Names the changes that the caller made to the description after it was read. Checkpoints of other changes do not
-  /// fit.
+  /// Names the caller's changes to the description after it was read. Checkpoints with other changes do not fit.
   std::string preset{};
-  /// `identity` is filled in. The file stays after a complete render, too: the caller removes it by remove_checkpoint
-  /// once the image is stored.
+  /// render_scene fills in `identity`. The file stays after a complete render, too: the caller removes it by
+  /// remove_checkpoint once the image is stored.
   std::optional<CheckpointPolicy> checkpoint{};
   const std::atomic<bool>* interrupt = nullptr;                               ///< true ends the render early
   std::function<void(double fraction, const std::string& phase)> progress{};  ///< from one thread at a time
-  std::function<void(const SceneNote& warning)> warn{};  ///< as soon as it is known; RenderStats::losses has all
+  std::function<void(const SceneNote& warning)> warn{};  ///< as early as possible; RenderStats::losses has all
 };
 
 struct Rendered {
-  Rendering image;  ///< radiance, linear Rec. 709: mean, variance of the mean, alpha where the film asks for it
+  Rendering image;  ///< radiance, linear Rec. 709: mean, variance of the mean, alpha where the film has it
   RenderPlan plan;
-  RenderStats stats;                  ///< with `interrupted`, the image is what there was by then
-  int threads = 0;                    ///< that rendered
-  std::size_t unsampled_pixels = 0;   ///< black for want of a sample, after an interrupt
-  std::size_t non_finite_values = 0;  ///< of the mean
+  RenderStats stats;                  ///< with `interrupted`, the image is that of the samples so far
+  int threads = 0;                    ///< the number that rendered
+  std::size_t unsampled_pixels = 0;   ///< black without a sample, after an interrupt
+  std::size_t non_finite_values = 0;  ///< values of the mean
 };
 
 /// Renders until the budget or an interrupt ends it. Same description, request and budget in samples or photons: same
 /// bits, for any number of threads.
-/// Throws InputError, at the place in the scene file or at the name of the command line's option ("--crop"), where the
-/// scene or the request cannot be rendered. Then nothing was written.
+/// Throws InputError where the scene or the request cannot be rendered, before anything is written. Its place is in the
+/// scene file or the command line's option ("--crop").
 Rendered render_scene(const SceneDescription& description, const RenderRequest& request);
 
-/// The plan that render_scene would follow; renders nothing. Throws InputError as render_scene does.
+/// The plan that render_scene follows; renders nothing. Throws InputError as render_scene does.
 RenderPlan plan_scene(const SceneDescription& description, const RenderRequest& request);
 
-/// Removes the file of a checkpoint, and with it what allows to resume.
+/// Removes the file of a checkpoint, so that the render cannot be resumed.
 void remove_checkpoint(const std::filesystem::path& file);
 
 }  // namespace photonproof::inline renderer_api

@@ -12,8 +12,8 @@ namespace photonproof::inline renderer_api {
 /// not inside the image.
 Tile film_window(const FilmDescription& film, const std::optional<FilmDescription::Crop>& asked);
 
-/// Throws InputError at the sensor when the film alone takes more memory than is free. `checkpoints`: whether copies of
-/// the film are made for them.
+/// Throws InputError at the sensor when the film alone takes more memory than is free. `checkpoints`: the render keeps
+/// copies of the film for them.
 void check_memory(const SceneDescription& description, const Tile& window, bool checkpoints);
 
 }  // namespace photonproof::inline renderer_api

@@ -1,12 +1,12 @@
-// The closed set of BSDFs. Each lives in bsdf_<name>.h as a struct of floats (or packs) with eval, pdf and sample; this
-// header lists them. Directions are unit, in the local frame (z = normal), and point away from the surface; wo is where
-// the path came from, wi where it goes. The cosine is never inside `eval`. A kind may have Dirac and other lobes:
-// eval and pdf know the others only, pdf with the probability that `sample` chooses them. Three constants say what
-// estimators need to know of a kind:
-//   has_smooth     eval is not always 0: light sampling can reach it
-//   is_lambertian  eval does not depend on the directions above the surface and is 0 behind it: photons of any
-//                  direction count alike
-//   lets_light_through   light may come out behind the surface
+// The closed set of BSDFs. Each lives in bsdf_<name>.h as a struct of floats (or packs) with eval, pdf and sample;
+// this header lists them. Directions are unit, in the local frame (z = normal), and point away from the surface; wo is
+// where the path came from, wi where it goes. The cosine is never inside `eval`. A kind may have Dirac lobes and smooth
+// lobes: eval and pdf cover the smooth ones only. pdf includes the probability that `sample` chooses them. Estimators
+// read three constants of each kind:
+//   `has_smooth`: eval is not always 0, so light sampling can reach it.
+//   `is_lambertian`: eval does not depend on the directions above the surface and is 0 behind it. Photons of any
+//                    direction count alike.
+//   `lets_light_through`: light may come out behind the surface.
 #pragma once
 
 #include "renderer/bsdfs/bsdf_conductor.h"
@@ -44,11 +44,11 @@ inline bool is_lambertian(const Bsdf& bsdf) {
 inline bool lets_light_through(const Bsdf& bsdf) {
   return std::visit([](const auto& b) { return b.lets_light_through; }, bsdf);
 }
-/// Whether photons may be looked up for a part of it by their directions (rough_part.h), textures or not.
+/// Whether photons may be gathered for a part of it by their directions (rough_part.h), textures or not.
 inline bool can_be_rough(const Bsdf& bsdf) {
   return std::visit([](const auto& b) { return CanBeRough<std::remove_cvref_t<decltype(b)>, float>; }, bsdf);
 }
-/// Whether nothing of it is a mirror, a sharp highlight or lets light through.
+/// True where no part of it is a mirror, a sharp highlight or lets light through.
 inline bool is_all_rough(const Bsdf& bsdf, const RoughLimit& limit) {
   return std::visit(
       [&](const auto& b) {
@@ -59,7 +59,7 @@ inline bool is_all_rough(const Bsdf& bsdf, const RoughLimit& limit) {
       },
       bsdf);
 }
-/// Bit k: photons may be looked up by their directions on kind k.
+/// Bit k: photons may be gathered by their directions on kind k.
 inline constexpr std::uint32_t rough_kinds = [] {
   std::uint32_t kinds = 0;
   BsdfKinds::for_each([&]<template <class> class Kind>(std::uint32_t kind) {

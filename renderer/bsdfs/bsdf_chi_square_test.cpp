@@ -1,6 +1,7 @@
-// Samples of BSDFs with a smooth part against their density: a million each, over materials from all but mirrors to
-// the roughest and directions from straight to all but grazing, at one level of 0.01 together. Lobes of roughness 0.001
-// are not met from 88 degrees: there they are so narrow that single precision has too few directions in them to count.
+// Chi-square test of BSDF samples against their density, for BSDFs with a smooth part. Each test takes a million
+// samples. Materials range from nearly mirrors to the roughest, directions from straight to nearly grazing; the joint
+// level is 0.01. Lobes of roughness 0.001 are not tested at 88 degrees: single precision has too few directions in
+// lobes so narrow.
 
 #include <gtest/gtest.h>
 
@@ -18,7 +19,7 @@ using test::NamedBsdf;
 struct Case {
   std::string name;
   Bsdf bsdf;
-  double degrees;  ///< of wo to the normal
+  double degrees;  ///< angle of wo to the normal
 };
 
 std::vector<Case> cases() {
@@ -93,7 +94,7 @@ TEST(bsdfs, samples_match_the_density) {
 }
 
 TEST(bsdfs, mirrors_have_the_mass_they_say) {
-  // The share of draws that are Dirac's against the probability in them: within 5 deviations of a binomial.
+  // The share of Dirac samples against the probability of the Dirac lobes: within 5 deviations of a binomial.
   constexpr int samples = 100'000;
   for (const NamedBsdf& named : test::white_bsdfs({}))
     for (const Vec3f& wo : test::test_directions(false)) {

@@ -26,7 +26,7 @@ struct DielectricBsdf {
     const Vec3<F> reflected{-wo.x, -wo.y, wo.z};
     const Vec3<F> refracted{-wo.x * to_path, -wo.y * to_path,
                             select(outside, -fresnel.cos_transmit, fresnel.cos_transmit)};
-    // Radiance over ior squared is what refraction keeps; wo is on the side the radiance goes to.
+    // Refraction keeps radiance over ior squared; wo is on the side the radiance goes to.
     const F scale = mode == TransportMode::radiance ? F(to_path * to_path) : F(1.0f);
     return {select(reflects, reflected, refracted),
             select(reflects, reflectance, transmittance * scale),

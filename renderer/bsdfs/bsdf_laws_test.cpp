@@ -1,5 +1,5 @@
-// What holds for every BSDF: energy, reciprocity, weights that are f cos / pdf, finite numbers, and rough models that
-// become the smooth ones.
+// Laws that hold for every BSDF: energy conservation, reciprocity, weights equal to f cos / pdf and finite numbers.
+// Rough models converge to the smooth ones.
 
 #include <gtest/gtest.h>
 
@@ -19,7 +19,7 @@ using test::NamedBsdf;
 
 bool transmits(const Bsdf& bsdf) { return std::holds_alternative<RoughDielectricBsdf<float>>(bsdf); }
 
-/// All materials but those by area, whose weights have no bound.
+/// All materials except those whose facets are sampled by area: their weights have no bound.
 std::vector<NamedBsdf> furnace_bsdfs() {
   std::vector<NamedBsdf> all;
   for (const NamedBsdf& named : test::white_bsdfs({1e-4, 0.1, 0.5, 1.0}))
@@ -30,7 +30,7 @@ std::vector<NamedBsdf> furnace_bsdfs() {
 struct Mean {
   double value = 0, error = 0;
 };
-/// Flux that leaves a surface in a white furnace, by sampling, of the brightest channel.
+/// Reflected and transmitted flux in a white furnace, by sampling; brightest channel.
 Mean albedo(const Bsdf& bsdf, const Vec3f& wo, int samples) {
   double sum = 0, squares = 0;
   for (int i = 0; i < samples; ++i) {
@@ -45,9 +45,8 @@ Mean albedo(const Bsdf& bsdf, const Vec3f& wo, int samples) {
   return {mean, std::sqrt(std::max(0.0, squares / samples - mean * mean) / samples)};
 }
 
-/// The same over 16 lattices that differ in their random shift, whose spread is the error: of smooth
-/// materials a tenth of the above at the same cost. Steps are powers of the root of x^4 = x + 1, which fill the cube
-/// evenly.
+/// The same albedo over 16 randomly shifted lattices; their spread is the error. For smooth materials that error is a
+/// tenth of the one above at the same cost. Steps are powers of the root of x^4 = x + 1, which fill the cube evenly.
 Mean albedo_on_lattices(const Bsdf& bsdf, const Vec3f& wo, int points) {
   constexpr int lattices = 16;
   const std::array<double, 3> steps{0.8191725133961645, 0.6710436067037893, 0.5497004779019703};
@@ -72,7 +71,7 @@ Mean albedo_on_lattices(const Bsdf& bsdf, const Vec3f& wo, int points) {
   return {mean, std::sqrt(std::max(0.0, squares / lattices - mean * mean) / (lattices - 1))};
 }
 
-/// What photon maps and gathers take for granted.
+/// The properties of Lambertian kinds that photon maps and gathers rely on.
 template <class Kind>
 void expect_lambertian() {
   test::Random random(17);
@@ -123,8 +122,8 @@ TEST(bsdf_laws, light_comes_out_behind_those_that_say_so_alone) {
 }
 
 TEST(bsdf_laws, nothing_makes_energy) {
-  // Not even Beckmann's with Walter's approximation of its shadowing, which may be 0.35 % above the exact one: where
-  // it is, more than that is lost to the shadowing of the other direction.
+  // The limit holds even for Beckmann facets with Walter's approximate shadowing, which may exceed the exact one by
+  // 0.35 %. Where it does, the shadowing of the other direction loses more than that.
   for (const NamedBsdf& named : furnace_bsdfs())
     for (const Vec3f& wo : test::test_directions(transmits(named.bsdf))) {
       const Mean a = albedo_on_lattices(named.bsdf, wo, 4000);
@@ -132,7 +131,7 @@ TEST(bsdf_laws, nothing_makes_energy) {
     }
 }
 
-/// Of any kind: how its parts are told apart, where they are.
+/// Checks, for a kind with a rough part, how eval is split into its parts.
 template <class Kind>
 void expect_parts_of_eval(const Kind& bsdf, const RoughLimit& limit, const std::string& name) {
   if constexpr (CanBeRough<Kind, float>) {
@@ -147,7 +146,7 @@ void expect_parts_of_eval(const Kind& bsdf, const RoughLimit& limit, const std::
         if (!bsdf.is_rough(limit)) {
           EXPECT_EQ(max_component(share), 0) << name;
         }
-        // What the decision leaves is each part in the mean, whatever the weights: f with probabilities q and 1 - q.
+        // In the mean the decision leaves f of each part, whatever the weights; the probabilities are q and 1 - q.
         const double q = (double{share.x} + double{share.y} + double{share.z}) / 3;
         Rgb of_rough(1.0f), of_rest(1.0f);
         const bool first = is_by_rough_part<float>(share, 0.0f, of_rough);
@@ -169,8 +168,8 @@ TEST(bsdf_laws, rough_part_and_rest_are_all_of_it) {
       std::visit([&](const auto& bsdf) { expect_parts_of_eval(bsdf, limit, named.name); }, named.bsdf);
 }
 
-// What is left of a coated base without its highlights has no narrow lobe: from no direction does it change by more
-// than a factor as the other one turns by a degree.
+// The rough part of a coated base has no narrow lobe. It changes by at most a factor of 1.6 as one direction turns by a
+// degree.
 TEST(bsdf_laws, rough_parts_are_wide) {
   for (const NamedBsdf& named : test::white_bsdfs({0.01, 0.1, 0.3, 1.0})) {
     if (named.name.find("eta 0.66") != std::string::npos) continue;  // nothing crosses it beyond the critical angle
@@ -198,7 +197,7 @@ TEST(bsdf_laws, rough_parts_are_wide) {
 }
 
 TEST(bsdf_laws, weights_are_eval_times_cosine_over_density) {
-  // Each sample's, where the density says enough digits: of facets 1e-4 wide single precision keeps few.
+  // Each sample's weight, where the density has enough digits: single precision keeps few for facets 1e-4 wide.
   for (const double alpha : {0.05, 0.3, 1.0})
     for (const NamedBsdf& named : test::white_bsdfs({alpha}))
       for (const Vec3f& wo : test::test_directions(transmits(named.bsdf)))
@@ -229,7 +228,7 @@ TEST(bsdf_laws, directions_may_be_swapped) {
       };
       const bool through = transmits(named.bsdf) && i % 2 == 0;
       const Vec3f a = direction(true), b = direction(!through);
-      float scale = 1;  // what the second direction's eval must be multiplied by
+      float scale = 1;  // factor that makes the second direction's eval comparable
       if (through) {
         const float eta = std::get<RoughDielectricBsdf<float>>(named.bsdf).eta;
         scale = 1 / (eta * eta);
@@ -312,9 +311,10 @@ TEST(bsdf_laws, rough_ones_become_smooth) {
     }
 }
 
-/// Share of light lost to second facets by models that follow only one, measured with 10^6 samples a number: white
-/// conductors, glass of 1.5 and plastic of 1.5 with a white base, from 0, 50 and 88 degrees. One has a closed form: GGX
-/// of roughness 1 from straight above keeps the integral of c / (1 + c) over cosines c = 1 - ln 2, and loses 0.6931.
+/// Share of light lost to second facets by models that follow only one, measured with 10^6 samples a number. The
+/// surfaces are white conductors, glass of 1.5 and plastic of 1.5 with a white base, seen from 0, 50 and 88 degrees.
+/// One number has a closed form: GGX of roughness 1 from straight above keeps 1 - ln 2 and loses 0.6931. The kept part
+/// is the integral of c / (1 + c) over cosines c.
 struct Loss {
   const char* model;
   MicrofacetDistribution distribution;

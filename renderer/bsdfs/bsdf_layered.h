@@ -1,16 +1,14 @@
-// A clear or tinted lacquer over an opaque base, one-sided: a smooth dielectric interface, absorption
-// exp(-sigma_a thickness / cos) on each crossing of the lacquer, the base below (Weidlich and Wilkie 2007, "Arbitrarily
-// Layered Micro-Facet Surfaces"). With wo', wi' the refracted directions, T the interface's transmittance and a the
-// absorption along both,
-//   f = F mirror + T(wo) T(wi) / eta^2 a f_base(wo', wi') (light reflected between base and interface)
-// The last factor makes the model conserve energy:
-//   diffuse part    1 / (1 - rho R), R the share that comes back from the interface through the lacquer: exact
-//   mirror          1 / (1 - rho F a): exact, each round leaves in the same direction
-//   glossy part     1 / (1 - rho min(F(wo), F(wi)) a): symmetric, never above the exact one, which it becomes as the
-//                   base becomes a mirror
-// A metal's eta and k are relative to the lacquer here, whose index the record has divided them by: lacquered metal is
-// darker.
-// What a base of two parts reflects inside from one part to the other is lost.
+// A clear or tinted lacquer over an opaque base, one-sided (Weidlich and Wilkie 2007, "Arbitrarily Layered Micro-Facet
+// Surfaces"). A smooth dielectric interface reflects; each crossing of the lacquer absorbs exp(-sigma_a thickness /
+// cos). With wo', wi' the refracted directions, T the interface's transmittance and a the absorption along both,
+//   `f = F mirror + T(wo) T(wi) / eta^2 a f_base(wo', wi') (light reflected between base and interface)`.
+// The last factor makes the model conserve energy. R is the share that the interface returns through the lacquer.
+//   Diffuse part    `1 / (1 - rho R)`, exact.
+//   Mirror          `1 / (1 - rho F a)`, exact: each round leaves in the same direction.
+//   Glossy part     `1 / (1 - rho min(F(wo), F(wi)) a)`, symmetric and never above the exact factor.
+//                   It becomes exact as the base becomes a mirror.
+// The record divides a metal's eta and k by the lacquer's index: lacquered metal is darker.
+// Light that the interface reflects from one part of a two-part base to the other part is lost.
 #pragma once
 
 #include "renderer/bsdfs/bsdf_conductor.h"
@@ -22,8 +20,8 @@
 
 namespace photonproof::inline renderer_bsdfs {
 
-/// What Layered asks of a base: its diffuse reflectance, its mirror's at a cosine, and the rest, `glossy`, as a BSDF
-/// with a bound below its reflectance. Parts that a base lacks are never asked for.
+/// Layered needs of a base its diffuse reflectance, its mirror reflectance at a cosine, and the rest as the BSDF
+/// `glossy`. `glossy_reflectance` stands for the reflectance of that rest. Layered never reads parts that a base lacks.
 template <class Base>
 struct LayeredBase;
 
@@ -70,11 +68,11 @@ struct LayeredBsdf {
   static constexpr bool has_smooth = Parts::has_diffuse || Parts::has_glossy;
   static constexpr bool is_lambertian = false;
   static constexpr bool lets_light_through = false;
-  Base<F> base;         ///< first, so that its words are where they are without a lacquer
-  F eta;                ///< ior of the lacquer / ior above it
-  Vec3<F> depth;        ///< sigma_a x thickness
-  Vec3<F> lost_inside;  ///< of diffuse light from the base, what lacquer and interface do not send back
-  Vec3<F> specular;     ///< scales the interface's mirror
+  Base<F> base;         ///< First, so that its words have the same offsets as without a lacquer.
+  F eta;                ///< Ior of the lacquer / ior above it.
+  Vec3<F> depth;        ///< The product sigma_a x thickness.
+  Vec3<F> lost_inside;  ///< Share of the base's diffuse light that lacquer and interface do not send back.
+  Vec3<F> specular;     ///< Factor of the interface's mirror.
 
   Vec3<F> eval(const Vec3<F>& wo, const Vec3<F>& wi) const {
     if constexpr (!has_smooth) return Vec3<F>(F(0.0f));
@@ -87,7 +85,7 @@ struct LayeredBsdf {
     return select(wo.z > 0 && wi.z > 0, f, Vec3<F>(F(0.0f)));
   }
 
-  /// A diffuse base always.
+  /// A diffuse base is always rough.
   Mask<F> is_rough(const RoughLimit& limit) const requires has_smooth {
     if constexpr (Parts::has_diffuse) return as_mask<F>(true);
     if constexpr (Parts::has_glossy) return Parts::glossy_is_rough(base, limit);
@@ -138,9 +136,9 @@ struct LayeredBsdf {
  private:
   /// One crossing of interface and lacquer.
   struct Crossing {
-    Vec3<F> inside;    ///< the direction refracted, still pointing up
+    Vec3<F> inside;    ///< the refracted direction, still pointing up
     F through;         ///< transmittance of the interface
-    Vec3<F> absorbed;  ///< what the lacquer leaves of the light
+    Vec3<F> absorbed;  ///< share of the light that the lacquer transmits
   };
   Crossing crossing(const Vec3<F>& v) const {
     const DielectricFresnel<F> fresnel = fresnel_dielectric(clamp_to_unit(v.z), eta);
@@ -150,7 +148,7 @@ struct LayeredBsdf {
             {lane_exp(F(depth.x * per_cos)), lane_exp(F(depth.y * per_cos)), lane_exp(F(depth.z * per_cos))}};
   }
 
-  /// What the base's glossy part reflects, ways through the lacquer and crossings left out.
+  /// Reflection f of the base's glossy part, without the lacquer's absorption and the interface's crossings.
   Vec3<F> glossy_part(const Crossing& o, const Crossing& i) const {
     const Vec3<F> rho = Parts::glossy_reflectance(base, o.inside, i.inside);
     const F back = lane_min(F(1 - o.through), F(1 - i.through));
@@ -159,7 +157,7 @@ struct LayeredBsdf {
 
   Vec3<F> diffuse_reflectance() const { return between_reflections(Parts::diffuse(base), lost_inside); }
 
-  /// Probabilities of the lobes, in proportion to what they reflect, about; the diffuse one has the rest.
+  /// Probabilities of the lobes, roughly in proportion to the light that each reflects; the diffuse one has the rest.
   struct Choice {
     F mirror, glossy;
     Vec3<F> mirror_reflectance;

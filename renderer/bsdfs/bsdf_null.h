@@ -14,7 +14,7 @@ struct NullBsdf {
 
   Vec3<F> eval(const Vec3<F>&, const Vec3<F>&) const { return Vec3<F>(F(0.0f)); }
   F pdf(const Vec3<F>&, const Vec3<F>&) const { return F(0.0f); }
-  /// Of light that goes on as if nothing were there.
+  /// Share of light that continues as if nothing were there.
   Vec3<F> straight_through(const Vec3<F>&) const { return transmittance; }
   BsdfSample<F> sample(const Vec3<F>& wo, const F&, const Vec2<F>&, TransportMode) const {
     return {-wo, transmittance, F(1.0f), F(1.0f), as_mask<F>(true), as_mask<F>(true)};

@@ -1,8 +1,8 @@
-// Every BSDF of scenes/FORMAT.md, as a scene's XML gives it, against numbers that harness/oracles/bsdfs.py works out
-// from the published formulas and shares no code with. Single precision agrees with it to 2e-4 of each value;
-// `roughplastic`, whose transmittance is a fitted polynomial (within 2e-3 a crossing), to 6e-3; albedos, by quadrature
-// here, to 3e-3. `every_parameter_is_seen` proves the power: with any one number 5 % off, any switch turned or any two
-// parameters exchanged, the same comparison fails; so it does for the defaults.
+// Every BSDF of docs/formats/scene.md, read from a scene's XML, against harness/oracles/bsdfs.py. That program
+// evaluates the published formulas and shares no code with the renderer. Tolerances of each value: 2e-4 in single
+// precision, and 6e-3 for `roughplastic`, whose transmittance is a fitted polynomial (within 2e-3 a crossing). Albedos,
+// by quadrature here, have 3e-3. `every_parameter_is_seen` proves the power: the same comparison fails with any one
+// number 5 % off, any switch turned or any two parameters exchanged. It also fails for a wrong default.
 
 #include <gtest/gtest.h>
 
@@ -74,7 +74,7 @@ void append(std::vector<double>& all, const Vec3f& v) {
 
 constexpr float last_below_one = 1 - 0x1p-24f;
 
-/// What the BSDF has for a row's `expected`; shorter where a lobe is not there.
+/// Values of the BSDF in the order of a row's `expected`; shorter where a lobe is missing.
 std::vector<double> found(const Bsdf& bsdf, const Row& row) {
   std::vector<double> all;
   const Vec3f wo = direction(row.angles, 0);
@@ -103,7 +103,7 @@ std::vector<double> found(const Bsdf& bsdf, const Row& row) {
   return all;
 }
 
-/// The rows that do not agree, one a line; or the first only.
+/// The rows that do not agree, one a line; or only the first.
 std::string disagreements(const Case& a_case, const Bsdf& bsdf, bool all_rows = true) {
   std::ostringstream text;
   const bool fitted = a_case.xml.find("'roughplastic'") != std::string::npos;
@@ -133,8 +133,8 @@ TEST(bsdf_oracle, every_bsdf_has_the_values_of_the_published_formulas) {
   }
 }
 
-/// The XML with one number 5 % larger (5 % of one, where it is 0), one switch turned, one name exchanged for another,
-/// or two parameters of one kind in each other's place.
+/// Variants of the XML with one error each: a number 5 % larger (0.05 where it is 0), a switch turned, a name
+/// exchanged, or two parameters of one kind swapped.
 std::vector<std::string> wrong_ones(const std::string& xml) {
   std::vector<std::string> all;
   const auto with = [&](std::size_t at, std::size_t length, const std::string& text) {
@@ -170,7 +170,7 @@ std::vector<std::string> wrong_ones(const std::string& xml) {
   return all;
 }
 
-/// The XML with every default that has a say written out, so that it too can be wrong.
+/// The XML with every default that has an effect written out, so that it can be wrong too.
 std::string spelled_out(const std::string& xml) {
   const auto number = [](const char* name, const char* value) {
     return "<float name='" + std::string(name) + "' value='" + value + "'/>";
@@ -207,13 +207,13 @@ TEST(bsdf_oracle, every_parameter_is_seen) {
     const std::string given = std::exchange(a_case.xml, spelled_out(a_case.xml));
     with_defaults += given != a_case.xml;
     EXPECT_EQ(disagreements(a_case, compile(a_case.xml).record, false), "") << a_case.xml;
-    // Of index 0 + i k a metal reflects all, whatever k.
+    // A metal of index 0 + i k reflects all light, whatever k.
     if (a_case.xml.find("'k'") != std::string::npos && a_case.xml.find("'eta'") == std::string::npos) continue;
     for (const std::string& wrong : wrong_ones(a_case.xml)) {
       ++seen;
       try {
         EXPECT_NE(disagreements(a_case, compile(wrong).record, false), "") << wrong << "\n passes for " << a_case.xml;
-      } catch (const InputError&) {  // which the right one does not throw
+      } catch (const InputError&) {  // the correct XML does not throw
       }
     }
   }
@@ -221,8 +221,8 @@ TEST(bsdf_oracle, every_parameter_is_seen) {
   EXPECT_EQ(with_defaults, 9u);
 }
 
-/// A texture's value must have the effect that the same value has in the scene: for every parameter that may be a
-/// texture, the record with the value in the texture's slot is, to the bit, that of the scene without a texture.
+/// A texture's value must have the effect that the same value has in the scene. For every parameter that may be a
+/// texture, the record with the value in the texture's slot equals, to the bit, that of the scene without a texture.
 TEST(bsdf_oracle, textures_are_the_parameters_they_are_named_for) {
   static const std::regex value("<(float|rgb) name='([a-z_]+)' value='([^']*)'/>");
   std::size_t textured = 0;
@@ -265,9 +265,9 @@ TEST(bsdf_oracle, textures_are_the_parameters_they_are_named_for) {
   EXPECT_GT(textured, 40u);
 }
 
-/// In pictures too alpha_u is along dp/du: one spot of a turned rectangle and of a sphere, lit by a point, has the
-/// value of eval in the frame of that tangent. Exchanged, the roughnesses would give less than 3/4 or more than 4/3 of
-/// it.
+/// In rendered images too alpha_u is along dp/du: one spot of a turned rectangle and of a sphere, lit by a point. The
+/// spot must have the value of eval in the frame of that tangent. Exchanged roughnesses would give less than 3/4 or
+/// more than 4/3 of it.
 TEST(bsdf_oracle, alpha_u_is_along_dp_du_in_pictures) {
   const auto metal = [](double alpha_u, double alpha_v) {
     return RoughConductorDescription{MicrofacetDistribution::ggx, alpha_u, alpha_v, true, {}, RgbD(0.8)};
@@ -303,10 +303,10 @@ TEST(bsdf_oracle, alpha_u_is_along_dp_du_in_pictures) {
   }
 }
 
-/// What metals reflect at normal incidence, linear RGB: Akenine-Moeller et al., Real-Time Rendering, 4th edition, table
-/// 9.2 (gold's red, 1.022, is out of the gamut). Theirs is the colour of the measured reflectance; ours the reflectance
-/// of the colours of eta and k, as in Mitsuba's rgb variants: 6 % apart at most. Channels in another order, eta for k
-/// or one metal for another are further off.
+/// Reflectance of metals at normal incidence, linear RGB. Source: Akenine-Moeller et al., Real-Time Rendering, 4th
+/// edition, table 9.2 (gold's red, 1.022, is out of the gamut). The table has the colour of the measured reflectance;
+/// ours is the reflectance of the colours of eta and k, as in Mitsuba's rgb variants. They differ by 6 % at most.
+/// Exchanged channels, eta for k or one metal for another differ by more.
 TEST(bsdf_oracle, named_metals_have_their_published_colour) {
   const struct {
     const char* material;
@@ -329,7 +329,8 @@ TEST(bsdf_oracle, named_metals_have_their_published_colour) {
 }
 
 /// Indices by name, from Hecht, Optics, table 4.1 and Lide, CRC Handbook of Chemistry and Physics, at the sodium line.
-/// Mitsuba's bk7 is not Schott's n_d = 1.5168 but 1.5046; scenes of its want its number, so that one is not here.
+/// Mitsuba's bk7 is 1.5046 instead of Schott's n_d = 1.5168. Scenes made for Mitsuba need its number, so this test
+/// omits bk7.
 TEST(bsdf_oracle, named_indices_are_those_of_the_substances) {
   const struct {
     const char* name;

@@ -1,7 +1,7 @@
-// Modified Phong reflection, one-sided (Lafortune and Willems 1994, "Using the Modified Phong Reflectance Model for
-// Physically Based Rendering"), as in Mitsuba 0.6:
-//   f = diffuse / pi + specular (n + 2) / (2 pi) cos^n(angle to the mirror direction)
-// Colours that together reflect more than everything are scaled down to 1 in the strongest channel.
+// Modified Phong reflection, one-sided, as in Mitsuba 0.6 (Lafortune and Willems 1994, "Using the Modified Phong
+// Reflectance Model for Physically Based Rendering").
+//   `f = diffuse / pi + specular (n + 2) / (2 pi) cos^n(angle to the mirror direction)`.
+// Colours whose sum exceeds 1 are scaled down to 1 in the strongest channel.
 #pragma once
 
 #include "renderer/bsdfs/bsdf_plastic.h"
@@ -34,7 +34,7 @@ struct PhongBsdf {
     return select(wo.z > 0 && wi.z > 0, F(p * lobe + (1 - p) * cosine_hemisphere_pdf(wi.z)), F(0.0f));
   }
   Mask<F> is_all_rough(const RoughLimit& limit) const { return exponent() <= limit.most_exponent; }
-  /// The diffuse part always.
+  /// The diffuse part is always rough.
   Mask<F> is_rough(const RoughLimit&) const { return as_mask<F>(true); }
   Vec3<F> rough_share(const RoughLimit& limit, const Vec3<F>& wo, const Vec3<F>& wi) const {
     if (all(is_all_rough(limit))) return Vec3<F>(F(1.0f));
@@ -61,8 +61,8 @@ struct PhongBsdf {
   }
 
  private:
-  /// cos^n of wi's angle to the mirror direction, by way of the distance d of their tips: cos = 1 - d^2/2, which near 1
-  /// has more digits than cos itself.
+  /// cos^n of wi's angle to the mirror direction, computed from the distance d of their tips as cos = 1 - d^2/2. Near 1
+  /// this has more digits than the cosine itself.
   static F power_of_cos(const Vec3<F>& wo, const Vec3<F>& wi, const F& n) {
     const Vec3<F> apart(wi.x + wo.x, wi.y + wo.y, wi.z - wo.z);
     const F e = 0.5f * dot(apart, apart);

@@ -1,10 +1,10 @@
-// Plastic, one-sided: a diffuse base under a smooth dielectric interface. What the base reflects is reflected back
-// inside by the share R on average, again and again (Mitsuba's `plastic`; a geometric series as in Kubelka and Munk's
-// Saunderson correction, 1942):
-//   f = T(wo) T(wi) / (pi eta^2) rho / (1 - R)        linear
-//                                ... / (1 - rho R)    nonlinear, as light does
-// plus a mirror of Fresnel's reflectance. Records hold 1 - R, of which single precision leaves nothing beside a 1 where
-// the index is high.
+// Plastic, one-sided: a diffuse base under a smooth dielectric interface (Mitsuba's `plastic`). The interface reflects
+// the share R of the base's light back to the base, again and again. The sum is a geometric series, as in Kubelka and
+// Munk (Saunderson's correction, 1942).
+//   `f = T(wo) T(wi) / (pi eta^2) rho / (1 - R)`      linear
+//   `f = T(wo) T(wi) / (pi eta^2) rho / (1 - rho R)`  nonlinear, the physical one
+// The interface adds a mirror of Fresnel's reflectance. Records hold 1 - R: at high indices single precision would
+// round R to 1.
 #pragma once
 
 #include "renderer/bsdfs/bsdf_sample.h"
@@ -19,7 +19,8 @@ F mean_channel(const Vec3<F>& c) {
   return (c.x + c.y + c.z) * (1.0f / 3);
 }
 
-/// What a diffuse base shows through an interface that sends back all but `lost` of its light, per crossing of it.
+/// Effective reflectance of a diffuse base under an interface that returns 1 - `lost` of its light. Crossings are not
+/// included.
 template <class F>
 Vec3<F> between_reflections(const Vec3<F>& diffuse, const Vec3<F>& lost) {
   return diffuse / (Vec3<F>(F(1.0f)) - diffuse + diffuse * lost);
@@ -29,7 +30,7 @@ Vec3<F> saturated(const Vec3<F>& diffuse, const F& lost, const F& nonlinear) {
   return select(nonlinear > 0, between_reflections(diffuse, Vec3<F>(lost)), diffuse / lost);
 }
 
-/// Probability of the specular one of two lobes of these strengths, 0 where both have none.
+/// Probability of choosing the specular one of two lobes of these strengths; 0 where both strengths are 0.
 template <class F>
 F lobe_probability(const F& specular, const F& diffuse) {
   const F both = specular + diffuse;
@@ -42,7 +43,7 @@ struct PlasticBsdf {
   static constexpr bool is_lambertian = false;
   static constexpr bool lets_light_through = false;
   F eta;          ///< ior of the plastic / ior above it
-  F lost_inside;  ///< of diffuse light from below, what the interface does not send back
+  F lost_inside;  ///< share of diffuse light from below that the interface does not send back
   F nonlinear;    ///< 1 or 0
   Vec3<F> diffuse, specular;
 
@@ -54,7 +55,7 @@ struct PlasticBsdf {
   F pdf(const Vec3<F>& wo, const Vec3<F>& wi) const {
     return select(wo.z > 0, F((1 - mirror_probability(wo)) * cosine_hemisphere_pdf(wi.z)), F(0.0f));
   }
-  /// All but the mirror.
+  /// Everything except the mirror is rough.
   Mask<F> is_rough(const RoughLimit&) const { return as_mask<F>(true); }
   Vec3<F> rough_share(const RoughLimit&, const Vec3<F>&, const Vec3<F>&) const { return Vec3<F>(F(1.0f)); }
   BsdfSample<F> sample(const Vec3<F>& wo, const F& u_lobe, const Vec2<F>& u, TransportMode) const {

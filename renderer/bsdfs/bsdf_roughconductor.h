@@ -19,7 +19,7 @@ struct RoughConductorBsdf {
   F has_ior{0.0f};  ///< 1 or 0
   Vec3<F> eta, k;
 
-  /// Of a facet at which light makes this cosine with its normal.
+  /// Reflectance of a facet at which light makes this cosine with the facet's normal.
   Vec3<F> facet_reflectance(const F& cos_facet) const {
     const Mask<F> with_ior = has_ior > 0;
     if (!any(with_ior)) return reflectance;

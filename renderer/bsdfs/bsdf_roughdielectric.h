@@ -1,5 +1,5 @@
 // Rough dielectric: microfacets that reflect and refract (Walter, Marschner, Li and Torrance 2007, equations 20 and
-// 21). The normal points to the exterior. `eval` is what radiance needs, wo on the side it goes to; swap the directions
+// 21). The normal points to the exterior. `eval` is the value for radiance that leaves along wo; swap the directions
 // for importance. Light that meets a second facet is lost.
 #pragma once
 
@@ -51,7 +51,7 @@ struct RoughDielectricBsdf {
 
     const F scale = mode == TransportMode::radiance ? F(to_path * to_path) : F(1.0f);
     const F shape = facets.shadowing_by_cos(wo) * facets.shadowing(wi) * facets.sampling_ratio(wo_up, m);
-    // Of the half vector wo + eta wi: its squared length over its projection.
+    // Squared length of the half vector wo + eta wi over its projection.
     const F along = cos_wo - eta_path * fresnel.cos_transmit;
     const F per_direction = select(reflects, F(fresnel.reflectance / (4 * cos_wo)),
                                    F((1 - fresnel.reflectance) * eta_path * eta_path * fresnel.cos_transmit /
@@ -67,12 +67,12 @@ struct RoughDielectricBsdf {
   }
 
  private:
-  /// The facet that turns one direction into the other.
+  /// The facet that turns one direction into the other, with its cosines.
   struct Pair {
     Vec3<F> m;
-    F eta_path;        ///< ior on wi's side if that is another / ior on wo's side
-    F cos_wo, cos_wi;  ///< to m on either side, positive where possible
-    F squared_length;  ///< of wo + eta_path wi
+    F eta_path;        ///< ior on wi's side / ior on wo's side
+    F cos_wo, cos_wi;  ///< cosines of wo and wi to m, positive where possible
+    F squared_length;  ///< squared length of wo + eta_path wi
     Mask<F> reflects, possible;
   };
 

@@ -1,7 +1,7 @@
-// Rough plastic, one-sided: a diffuse base under a rough dielectric interface (Mitsuba's `roughplastic`). The
-// interface's reflection is that of microfacets, and so is the share T(cos) that it lets through, which
-// interface_tables.cpp integrates and fits by a polynomial in sqrt(cos):
-//   f = F D G / (4 cos cos) + T(wo) T(wi) / (pi eta^2) x the base as in bsdf_plastic.h
+// Rough plastic, one-sided: a diffuse base under a rough dielectric interface (Mitsuba's `roughplastic`). Microfacets
+// give the interface's reflection and the share T(cos) that it lets through. interface_tables.cpp integrates T and fits
+// it by a polynomial in sqrt(cos).
+//   `f = F D G / (4 cos cos) + T(wo) T(wi) / (pi eta^2) x the base as in bsdf_plastic.h`.
 #pragma once
 
 #include "renderer/bsdfs/bsdf_plastic.h"
@@ -18,10 +18,10 @@ struct RoughPlasticBsdf {
   static constexpr std::size_t coefficients = 16;
   Microfacets<F> facets;
   F eta;          ///< ior of the plastic / ior above it
-  F lost_inside;  ///< of diffuse light from below, what the interface does not send back
+  F lost_inside;  ///< share of diffuse light from below that the interface does not send back
   F nonlinear;    ///< 1 or 0
   Vec3<F> diffuse, specular;
-  F through[coefficients];  ///< of Chebyshev's polynomials in 2 sqrt(cos) - 1
+  F through[coefficients];  ///< coefficients of Chebyshev's polynomials in 2 sqrt(cos) - 1
 
   /// Share of the light from this angle that reaches the base.
   F transmittance(const F& cos_theta) const {
@@ -38,7 +38,7 @@ struct RoughPlasticBsdf {
   Vec3<F> eval(const Vec3<F>& wo, const Vec3<F>& wi) const {
     return select(wo.z > 0 && wi.z > 0, Vec3<F>(interface(wo, wi) + base(wo, wi)), Vec3<F>(F(0.0f)));
   }
-  /// The base always.
+  /// The base is always rough.
   Mask<F> is_rough(const RoughLimit&) const { return as_mask<F>(true); }
   Mask<F> is_all_rough(const RoughLimit& limit) const { return facets.are_rough(limit); }
   Vec3<F> rough_share(const RoughLimit& limit, const Vec3<F>& wo, const Vec3<F>& wi) const {

@@ -8,7 +8,7 @@ namespace photonproof::inline renderer_bsdfs {
 namespace {
 
 void refuse_deep_maps(const SceneDescription& description, const std::vector<BsdfNode>& tree) {
-  std::vector<int> maps(tree.size(), 0);  // on the way to the deepest leaf; what is nested comes first
+  std::vector<int> maps(tree.size(), 0);  // maximum on the way to the deepest leaf; nested BSDFs come first
   for (std::size_t i = 0; i < tree.size(); ++i) {
     const BsdfNode& node = tree[i];
     if (node.kind == BsdfNode::Kind::leaf) continue;
@@ -30,7 +30,7 @@ BsdfTable compile_bsdfs(const SceneDescription& description) {
     BsdfNode& node = table.tree[i];
     has_holes = has_holes || node.kind == BsdfNode::Kind::mask;
     if (node.kind != BsdfNode::Kind::leaf) {
-      table.records.emplace_back();  // never looked at
+      table.records.emplace_back();  // never read
       continue;
     }
     CompiledBsdf compiled = compile_bsdf(description, {i});

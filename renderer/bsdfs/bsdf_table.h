@@ -1,4 +1,4 @@
-// All BSDFs of a scene: the leaves' records, and the tree of those that wrap others.
+// All BSDFs of a scene: the records of the leaves, and the tree of BSDFs that wrap others.
 #pragma once
 
 #include <cstdint>
@@ -11,9 +11,9 @@
 namespace photonproof::inline renderer_bsdfs {
 
 struct BsdfTable {
-  std::vector<Bsdf> records;   ///< by the description's indices; of those that wrap others there is nothing here
-  std::vector<BsdfNode> tree;  ///< by the same
-  std::uint32_t nothing = 0;   ///< the leaf where a mask has holes
+  std::vector<Bsdf> records;   ///< by the description's indices; entries of BSDFs that wrap others are unused
+  std::vector<BsdfNode> tree;  ///< by the description's indices
+  std::uint32_t nothing = 0;   ///< the leaf that stands for a mask's holes
 
   /// Calls visit(const Bsdf&, bool textured) for every leaf that a hit on a surface with this BSDF may get.
   template <class Visit>
@@ -21,11 +21,11 @@ struct BsdfTable {
     photonproof::for_each_leaf(tree, bsdf, nothing,
                                [&](std::uint32_t leaf) { visit(records[leaf], !tree[leaf].slots.empty()); });
   }
-  /// Of BsdfKinds, of a leaf.
+  /// Kind of a leaf, as its index in BsdfKinds.
   std::uint32_t kind(std::uint32_t leaf) const { return static_cast<std::uint32_t>(records[leaf].index()); }
   /// Whether the BSDF wraps no other.
   bool is_leaf(std::uint32_t bsdf) const { return tree[bsdf].kind == BsdfNode::Kind::leaf; }
-  /// Whether test(const Bsdf&, bool textured) holds of some leaf.
+  /// Whether test(const Bsdf&, bool textured) is true for some leaf.
   template <class Test>
   bool any_leaf(std::uint32_t bsdf, Test&& test) const {
     bool any = false;

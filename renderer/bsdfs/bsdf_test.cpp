@@ -1,4 +1,4 @@
-// Every BSDF: density, energy, reciprocity, and the laws of optics.
+// Tests of every BSDF: density, energy, reciprocity, and the laws of optics.
 
 #include "renderer/bsdfs/bsdf.h"
 

@@ -1,6 +1,6 @@
-// A pane of smooth dielectric, both interfaces at once: reflections between them are summed,
-//   R + T R T (1 + R^2 + R^4 + ...) = 2 R / (1 + R),
-// and what passes goes straight on.
+// A pane of smooth dielectric with both interfaces in one. Reflections between them are summed:
+//   R + T R T (1 + R^2 + R^4 + ...) = 2 R / (1 + R).
+// Transmitted light goes straight on.
 #pragma once
 
 #include "renderer/bsdfs/bsdf_sample.h"
@@ -29,7 +29,8 @@ struct ThinDielectricBsdf {
             as_mask<F>(true),
             wo.z != 0};
   }
-  /// Of light that travels along -wo: as in Mitsuba, a pane does not end the straight way of light behind it.
+  /// Share of light along -wo that passes. As in Mitsuba, a pane does not interrupt the straight path of light behind
+  /// it.
   Vec3<F> straight_through(const Vec3<F>& wo) const { return transmittance * F(1 - reflected_share(wo)); }
   /// The probability of reflection: where u < it.
   F reflected_share(const Vec3<F>& wo) const {

@@ -1,5 +1,4 @@
-// BSDFs that wrap others, as a table of nodes beside the table of leaves: which leaf a hit gets is decided hit by hit
-// (surface_detail.h).
+// BSDFs that wrap others, as a table of nodes beside the table of leaves. surface_detail.h picks the leaf for each hit.
 #pragma once
 
 #include <cstdint>
@@ -20,22 +19,22 @@ struct TexturedNumber {
 struct BsdfNode {
   enum class Kind : std::uint32_t {
     leaf,
-    two_sided,  ///< first in front, second behind
-    mask,       ///< first where there is a surface; number: how likely that is
-    blend,      ///< second as likely as number says, else first
-    bump,       ///< number.texture displaces the normal, number.value times
-    normal_map  ///< number.texture has the normals
+    two_sided,  ///< First in front, second behind.
+    mask,       ///< First where there is a surface; number is the probability of that.
+    blend,      ///< Second with probability number, otherwise first.
+    bump,       ///< Normal displaced by number.texture times number.value.
+    normal_map  ///< Normals given by number.texture.
   };
   Kind kind = Kind::leaf;
   std::uint32_t first = 0, second = 0;
   TexturedNumber number{};
-  std::vector<TextureSlot> slots{};  ///< of a leaf
-  bool has_directions = false;       ///< a leaf that asks for the tangent along dp/du
+  std::vector<TextureSlot> slots{};  ///< texture slots of a leaf
+  bool has_directions = false;       ///< a leaf that needs the tangent along dp/du
   bool flips = false;                ///< a map that mirrors its normal to face the viewer
   bool shadows = false;              ///< a map whose bumps shadow each other
 };
 
-/// By the description's indices.
+/// The nodes in the order of the description's indices.
 std::vector<BsdfNode> bsdf_tree(const std::vector<BsdfDescription>& bsdfs);
 
 /// Calls visit(leaf) for every leaf that a hit on `bsdf` may get, `nothing` (the leaf where a mask has holes) included.

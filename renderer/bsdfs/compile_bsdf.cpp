@@ -11,7 +11,7 @@
 namespace photonproof::inline renderer_bsdfs {
 namespace {
 
-/// Makes one record, collecting the slots of its textures. `word` arguments are offsets in bytes.
+/// Makes one record and collects the slots of its textures. `word` arguments are offsets in bytes.
 class Compiler {
  public:
   Compiler(const SceneDescription& scene, const BsdfDescription& bsdf) : scene_(scene), bsdf_(bsdf) {}
@@ -80,8 +80,8 @@ class Compiler {
 
  private:
   [[noreturn]] void refuse(const std::string& why) const { throw InputError(scene_.where(bsdf_.loc), why); }
-  /// Which facet sends light from one direction to the other follows from their difference, of which single precision
-  /// keeps nothing where the indices are some steps of it apart.
+  /// The facet that sends light from one direction to the other follows from their difference. Single precision keeps
+  /// no digits of it where the indices are a few rounding steps apart.
   void refuse_equal(double int_ior, double ext_ior) const {
     constexpr float least = 4 * 0x1p-23f;
     if (std::abs(ratio(int_ior, ext_ior) - 1) < least)
@@ -129,12 +129,12 @@ class Compiler {
     set_ior(record, d.ior, ior_above);
     return record;
   }
-  /// What a metal reflects depends on its index relative to what lies on it.
+  /// A metal's reflectance depends on its index relative to the medium that lies on it.
   template <class Record>
   static void set_ior(Record& record, const std::optional<ComplexIor>& ior, double ior_above) {
     if (!ior) return;
     record.has_ior = 1;
-    // Beyond this all is reflected, and fourth powers would leave single precision.
+    // Beyond this all light is reflected, and fourth powers would overflow single precision.
     const double highest = has_fault(NumericFault::unclamped_metal) ? 1e38 : 1e9;
     const auto held = [&](const RgbD& index) {
       const auto part = [&](double v) { return static_cast<float>(std::min(v / ior_above, highest)); };

@@ -1,6 +1,6 @@
-// From the description of a BSDF to the record that kernels gather. Parameters that a texture gives are left at 0.5 in
-// the record and listed as slots: whoever knows the point writes the texture's values there. Everything that follows
-// from such a parameter (limits of roughness, probabilities of lobes) the record's methods work out from the value.
+// Turns the description of a BSDF into the record that kernels gather. Parameters that a texture gives are left at 0.5
+// in the record and listed as slots: code at the hit point writes the texture's values there. The record's methods
+// compute everything that depends on such a parameter (roughness limits, lobe probabilities) from the value.
 #pragma once
 
 #include <vector>
@@ -16,7 +16,7 @@ struct CompiledBsdf {
   std::vector<TextureSlot> slots;
 };
 
-/// Whether a leaf looks different when it is turned about its normal, and so asks for the tangent along dp/du.
+/// Whether a leaf changes when it is turned about its normal, and so needs the tangent along dp/du.
 bool is_anisotropic(const SceneDescription& scene, BsdfIndex bsdf);
 
 /// Throws InputError where parameters cannot work together or the BSDF is no leaf.

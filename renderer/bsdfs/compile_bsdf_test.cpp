@@ -1,4 +1,4 @@
-// From descriptions of BSDFs to records: where textures write, and what is refused.
+// From descriptions of BSDFs to records: slots that textures write, and refused parameters.
 
 #include "renderer/bsdfs/compile_bsdf.h"
 
@@ -22,7 +22,7 @@ CompiledBsdf compile(const decltype(BsdfDescription::model)& model,
   return compile_bsdf(scene, {1});
 }
 
-/// The record with this written into the words of its only slot.
+/// The record with this value written into the words of its only slot.
 template <class Record>
 Record with_texture(const CompiledBsdf& compiled, bool is_colour) {
   EXPECT_EQ(compiled.slots.size(), 1u);
@@ -79,7 +79,7 @@ TEST(compile_bsdf, refuses_what_has_no_record) {
   EXPECT_THROW(
       compile(LayeredDescription{{0}, 1.5, 1.0, RgbD(0.0), 1, one}, PlasticDescription{one, one, 1.5, 1, false}),
       InputError);
-  // Equal indices are no trouble to smooth interfaces.
+  // Smooth interfaces accept equal indices.
   EXPECT_NO_THROW(compile(DielectricDescription{1.3, 1.3, one, one}));
 }
 

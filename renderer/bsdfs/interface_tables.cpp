@@ -21,13 +21,13 @@ Vec3f at_cosine(double cos_theta) {
   return {static_cast<float>(std::sqrt(1 - cos_theta * cos_theta)), 0, static_cast<float>(cos_theta)};
 }
 
-/// A Fibonacci lattice in two numbers: rows and columns would lie along the circles where facets begin to reflect
+/// A Fibonacci lattice in two numbers. A regular grid would lie along the circles where facets begin to reflect
 /// totally.
 constexpr std::uint64_t lattice_points = 6765, lattice_step = 4181;
 double lattice_fraction(std::uint64_t k) { return (static_cast<double>(k) + 0.5) / lattice_points; }
 
-/// Slopes of facets of a Beckmann surface of roughness 1, by area. Lattices are good for what is periodic, as the angle
-/// is; the other number goes up to 1 and back for that ("baker's transformation", Hickernell 2002).
+/// Slopes of facets of a Beckmann surface of roughness 1, by area. Lattices suit periodic numbers, such as the angle.
+/// The other number is therefore folded: it goes up to 1 and back ("baker's transformation", Hickernell 2002).
 const std::vector<Vec2<float>>& beckmann_slopes() {
   static const std::vector<Vec2<float>> slopes = [] {
     std::vector<Vec2<float>> made;
@@ -41,8 +41,8 @@ const std::vector<Vec2<float>>& beckmann_slopes() {
   return slopes;
 }
 
-/// By area, each weighted by how much of it wo sees: the same slopes do for every wo, where normals as they are seen
-/// take Newton's method for each.
+/// Mean over facets by area, each weighted by its area visible from wo. The same slopes serve every wo; sampling
+/// visible normals would need Newton's method for each.
 template <class Value>
 double mean_over_beckmann_facets(const Microfacets<float>& facets, const Vec3f& wo, const Value& value) {
   double sum = 0, seen = 0;
@@ -55,7 +55,7 @@ double mean_over_beckmann_facets(const Microfacets<float>& facets, const Vec3f& 
   return sum / seen;
 }
 
-/// As they are seen: GGX has facets so steep that weights would vary without bound.
+/// Mean over visible facets: GGX has facets so steep that weights by area would vary without bound.
 template <class Value>
 double mean_over_ggx_facets(Microfacets<float> facets, const Vec3f& wo, const Value& value) {
   facets.sample_visible = 1;
@@ -68,7 +68,7 @@ double mean_over_ggx_facets(Microfacets<float> facets, const Vec3f& wo, const Va
   return sum / lattice_points;
 }
 
-/// Over the facets that wo sees.
+/// Mean over the facets that wo sees.
 template <class Value>
 double mean_over_facets(const Microfacets<float>& facets, const Vec3f& wo, const Value& value) {
   return facets.is_ggx > 0 ? mean_over_ggx_facets(facets, wo, value) : mean_over_beckmann_facets(facets, wo, value);
@@ -77,10 +77,10 @@ double mean_over_facets(const Microfacets<float>& facets, const Vec3f& wo, const
 }  // namespace
 
 double diffuse_fresnel_loss(double eta, double depth) {
-  // What is not let through, by the midpoint rule in the cosine on the side of the smaller index, from where all of the
-  // light that crosses comes. On the other side that is in a cone, at eta = 0.01 of 1/20000 of the cosines.
+  // The loss, by the midpoint rule in the cosine on the side of the smaller index: all light that crosses comes from
+  // there. On the other side it lies in a cone, at eta = 0.01 in 1/20000 of the cosines.
   constexpr int cells = 20'000;
-  const double n = std::max(eta, 1 / eta), shrink = eta < 1 ? 1 / (n * n) : 1;  // of d(cos^2) into the cone
+  const double n = std::max(eta, 1 / eta), shrink = eta < 1 ? 1 / (n * n) : 1;  // factor of d(cos^2) into the cone
   double absorbed = 0, through = 0;
   for (int i = 0; i < cells; ++i) {
     const double cos_theta = (i + 0.5) / cells;
@@ -137,8 +137,8 @@ RoughInterface integrated_interface(const Microfacets<float>& facets, double eta
   return result;
 }
 
-/// What was integrated lately, for any number of threads: materials of a scene, and scenes of a run, are often alike,
-/// and a table takes 0.02 s, of GGX 0.06 s.
+/// Cache of recent integrals, shared by any number of threads. Materials of a scene, and scenes of a run, are often
+/// alike. A table takes 0.02 s, for GGX 0.06 s.
 class KnownInterfaces {
  public:
   RoughInterface of(const Microfacets<float>& facets, double eta) {

@@ -11,8 +11,8 @@ namespace {
 
 Vec3f at_cosine(double c) { return {static_cast<float>(std::sqrt(1 - c * c)), 0, static_cast<float>(c)}; }
 
-/// The share of light from wo that goes to the other side, or stays: the integral of the rough dielectric's eval and
-/// cosine over directions, by the midpoint rule in azimuth and sqrt(1 - z). It shares no sampling with the tables.
+/// The share of light from wo that is transmitted or reflected: the integral of the rough dielectric's eval times the
+/// cosine. It uses the midpoint rule in azimuth and sqrt(1 - z), and shares no sampling with the tables.
 double brute_force(const Microfacets<float>& facets, double cos_wo, double eta, bool transmitted) {
   const RoughDielectricBsdf<float> glass{facets, static_cast<float>(eta), Rgb(1), Rgb(1)};
   const Vec3f wo = at_cosine(cos_wo);
@@ -26,7 +26,7 @@ double brute_force(const Microfacets<float>& facets, double cos_wo, double eta, 
                      static_cast<float>(transmitted ? -z : z)};
       sum += static_cast<double>(glass.eval(wo, wi).x) * z * 2 * root;
     }
-  // Half of the azimuths, both halves being alike; eval is of radiance, 1 / eta^2 of the flux.
+  // Half of the azimuths suffices by symmetry; eval is for radiance, 1 / eta^2 of the flux.
   return sum * 2 * std::numbers::pi / (rows * columns) * (transmitted ? eta * eta : 1);
 }
 
@@ -58,8 +58,8 @@ TEST(interface_tables, polynomials_are_the_transmittance) {
 }
 
 TEST(interface_tables, interfaces_become_smooth) {
-  // Facets all alike: Fresnel's reflectance and what it leaves. 1e-3 of roughness moves cosines by about as much, and
-  // Fresnel's reflectance is steepest, about -6, at grazing angles.
+  // Nearly flat facets: the results are Fresnel's reflectance and its complement. A roughness of 1e-3 moves cosines by
+  // about as much. Fresnel's reflectance is steepest, about -6, at grazing angles.
   for (const float ggx : {0.0f, 1.0f})
     for (const double cos_wo : {1.0, 0.7, 0.3}) {
       const Microfacets<float> facets{1e-3f, 1e-3f, ggx, 1};
@@ -69,7 +69,7 @@ TEST(interface_tables, interfaces_become_smooth) {
     }
 }
 
-/// Of diffuse light from the thin side (Walsh 1926; Egan and Hilgeman 1973 print 0.0918 for n = 1.5).
+/// Reflectance for diffuse light from the thin side (Walsh 1926; Egan and Hilgeman 1973 print 0.0918 for n = 1.5).
 double walsh(double n) {
   const double n2 = n * n, n4 = n2 * n2;
   return 0.5 + (n - 1) * (3 * n + 1) / (6 * (n + 1) * (n + 1)) +
@@ -79,8 +79,9 @@ double walsh(double n) {
 }
 
 TEST(interface_tables, diffuse_reflectance_from_both_sides_is_walshs) {
-  // What a diffuse interior lets out is 1/n^2 of what a diffuse exterior lets in (Duntley 1942): 1 - R(1/n) =
-  // (1 - R(n)) / n^2, of which a base under the interface shows the inverse: what counts is 1 - R, 5e-6 at n = 100.
+  // A diffuse interior lets out 1/n^2 of the light that a diffuse exterior lets in (Duntley 1942): 1 - R(1/n) = (1 -
+  // R(n)) / n^2. The brightness of a base under the interface is in proportion to 1 / (1 - R). The test therefore
+  // compares 1 - R, 5e-6 at n = 100.
   for (const double n : {1.01, 1.1, 1.5, 2.4, 10.0, 100.0}) {
     EXPECT_NEAR(1 - diffuse_fresnel_loss(n), walsh(n), 1e-6) << n;
     const double leaves = (1 - walsh(n)) / (n * n);
@@ -91,8 +92,8 @@ TEST(interface_tables, diffuse_reflectance_from_both_sides_is_walshs) {
 }
 
 TEST(interface_tables, a_layer_under_an_interface_absorbs_on_both_ways) {
-  // Black below the critical angle and a mirror beyond it would send back what the layer leaves of the light beyond;
-  // between, Born and Wolf's amplitudes: the midpoint rule over cosines inside, where the kink costs 1e-6.
+  // Reference: the midpoint rule over cosines inside, with Born and Wolf's amplitudes; the kink costs 1e-6. Beyond the
+  // critical angle the interface reflects everything that the layer leaves.
   constexpr double n = 1.5, depth = 0.4;
   constexpr int cells = 20'000;
   double sum = 0;
@@ -106,7 +107,7 @@ TEST(interface_tables, a_layer_under_an_interface_absorbs_on_both_ways) {
     sum += 2 * c * reflects * std::exp(-2 * depth / c) / cells;
   }
   EXPECT_NEAR(diffuse_fresnel_loss(1 / n, depth), 1 - sum, 2e-6);
-  // Through a layer that absorbs everything nothing comes back.
+  // A layer that absorbs everything returns nothing.
   EXPECT_NEAR(diffuse_fresnel_loss(1 / 1.5, 30), 1, 1e-12);
 }
 

@@ -11,11 +11,11 @@ namespace photonproof::inline renderer_bsdfs {
 
 template <class F>
 struct Microfacets {
-  F raw_alpha_u, raw_alpha_v;  ///< roughness along x and y as the scene or a texture says it
-  F is_ggx;                    ///< 1 or 0
-  F sample_visible;            ///< 1: `sample` draws normals as wo sees them; 0: by their area, as from above
+  F raw_alpha_u, raw_alpha_v;  ///< Roughness along x and y as given by the scene or a texture.
+  F is_ggx;                    ///< Either 1 or 0.
+  F sample_visible;            ///< 1: `sample` gives normals visible from wo; 0: normals by area, as from above.
 
-  /// Where the facets are all but a mirror single precision cannot tell them apart.
+  /// Below alpha 1e-4 the facets are a mirror in single precision.
   static F usable(const F& alpha) { return lane_min(lane_max(alpha, F(1e-4f)), F(1e4f)); }
   F alpha_u() const { return usable(raw_alpha_u); }
   F alpha_v() const { return usable(raw_alpha_v); }
@@ -37,9 +37,8 @@ struct Microfacets {
     return select(m.z > 0, d, F(0.0f));
   }
 
-  /// The part of the facets that face v which v sees, of either side, over |v.z|. Beckmann's is the rational
-  /// approximation of Walter et al., within 0.35 %, because Mitsuba's images have it; `visible_density` has the exact
-  /// one.
+  /// The share of the facets facing v that v sees, from either side, over |v.z|. Beckmann's is the rational
+  /// approximation of Walter et al., within 0.35 %, because Mitsuba uses it; `visible_density` has the exact one.
   F shadowing_by_cos(const Vec3<F>& v) const {
     const F z = lane_max(lane_abs(v.z), F(1e-20f)), spread = lane_max(stretch(v), F(1e-20f));
     const Mask<F> ggx = is_ggx > 0;
@@ -54,7 +53,7 @@ struct Microfacets {
   }
   F shadowing(const Vec3<F>& v) const { return lane_abs(v.z) * shadowing_by_cos(v); }
 
-  /// Density of a normal among those that wo, above the surface, sees. Integrates to 1.
+  /// Density of a normal among those that wo, above the surface, sees. It integrates to 1.
   F visible_density(const Vec3<F>& wo, const Vec3<F>& m) const {
     return density(m) * lane_max(dot(wo, m), F(0.0f)) / seen_area(wo);
   }
@@ -67,7 +66,7 @@ struct Microfacets {
     return p;
   }
 
-  /// A facet's normal for wo above the surface.
+  /// Normal of a facet, sampled for wo above the surface.
   Vec3<F> sample(const Vec3<F>& wo, const Vec2<F>& u) const {
     const Mask<F> visible = sample_visible > 0, ggx = is_ggx > 0;
     Vec3<F> m(F(0.0f), F(0.0f), F(1.0f));
@@ -77,8 +76,8 @@ struct Microfacets {
     return m;
   }
 
-  /// density(m) |wo.m| / density of `sample`: with shadowing_by_cos(wo), shadowing(wi) and Fresnel's part it makes a
-  /// sample's weight.
+  /// The ratio density(m) |wo.m| / density of `sample`. Times shadowing_by_cos(wo), shadowing(wi) and Fresnel's factor
+  /// it is a sample's weight.
   F sampling_ratio(const Vec3<F>& wo, const Vec3<F>& m) const {
     return select(sample_visible > 0, seen_area(wo), F(lane_abs(dot(wo, m)) / m.z));
   }
@@ -104,7 +103,7 @@ struct Microfacets {
     return area;
   }
 
-  /// By area: the slopes of an isotropic surface of roughness 1, stretched.
+  /// Normal sampled by area: the slopes of an isotropic surface of roughness 1, stretched.
   Vec3<F> sample_area(const Vec2<F>& u) const {
     const F left = 1 - u.x;
     const F slope2 = select(is_ggx > 0, F(u.x / left), -lane_log(left));
@@ -113,7 +112,7 @@ struct Microfacets {
     return normalize(Vec3<F>(alpha_u() * slope * phi.cos, alpha_v() * slope * phi.sin, F(1.0f)));
   }
 
-  /// Frame of the stretched direction's azimuth; x where it has none.
+  /// Frame of the stretched direction's azimuth; x where the azimuth is undefined.
   static Vec2<F> azimuth(const Vec3<F>& stretched, const F& sin_theta) {
     const Mask<F> tilted = sin_theta > 0;
     const F inverse = 1 / select(tilted, sin_theta, F(1.0f));
@@ -137,11 +136,11 @@ struct Microfacets {
     return normalize(Vec3<F>(au * n.x, av * n.y, lane_max(n.z, F(1e-6f))));
   }
 
-  /// Heitz and d'Eon 2014, "Importance Sampling Microfacet-Based BSDFs using the Distribution of Visible Normals":
-  /// along the azimuth of the stretched direction, slopes x have the density
-  ///   (1 - x tan) exp(-x^2), x < cot, hence the distribution function 1 + erf(x) + tan exp(-x^2)/sqrt(pi)
-  /// up to a factor. It is inverted in b = erf(x), where it is concave, so that Newton's steps from the left of the
-  /// root stay there; a bracket catches the others. At grazing angles the first guess is exact (Jakob 2014).
+  /// Heitz and d'Eon 2014, "Importance Sampling Microfacet-Based BSDFs using the Distribution of Visible Normals".
+  /// Along the azimuth of the stretched direction, slopes x < cot have the density (1 - x tan) exp(-x^2) up to a
+  /// factor. The distribution function is 1 + erf(x) + tan exp(-x^2)/sqrt(pi), up to the same factor. It is inverted in
+  /// b = erf(x), where it is concave, so Newton steps from the left of the root stay there; a bracket catches the
+  /// others. At grazing angles the first guess is exact (Jakob 2014).
   Vec3<F> sample_visible_beckmann(const Vec3<F>& wo, const Vec2<F>& u) const {
     const F au = alpha_u(), av = alpha_v();
     const Vec3<F> v = normalize(Vec3<F>(au * wo.x, av * wo.y, lane_max(wo.z, F(1e-20f))));
@@ -172,7 +171,7 @@ struct Microfacets {
   static constexpr float inverse_sqrt_pi = std::numbers::inv_sqrtpi_v<float>;
 };
 
-/// The normal that mirrors wo to wi; up where they are opposite and it could be any.
+/// The normal that mirrors wo to wi; up for opposite directions, where any normal would do.
 template <class F>
 Vec3<F> half_vector(const Vec3<F>& wo, const Vec3<F>& wi) {
   const Vec3<F> sum = wo + wi;

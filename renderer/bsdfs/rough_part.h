@@ -1,20 +1,20 @@
-// Which part of a BSDF photons are looked up for, since a ray would hit a small light by it too rarely: what is rough.
-// The rest, mirrors and sharp highlights, is traced. Kinds that can have a rough part say
-//   is_rough(limit)             lanes where it is not 0
-//   rough_share(limit, wo, wi)  its part of eval, a channel each, in [0,1]
-//   is_all_rough(limit)         lanes without a mirror and sharp highlights; not said by kinds that have always one
+// The rough part of a BSDF. Photons are gathered for it, since a ray sampled from it would hit a small light too
+// rarely. The rest, mirrors and sharp highlights, is traced. Kinds that can have a rough part define:
+//   `is_rough(limit)`: lanes where the rough part is not 0.
+//   `rough_share(limit, wo, wi)`: its share of eval, a channel each, in [0,1].
+//   `is_all_rough(limit)`: lanes without a mirror and sharp highlights. Kinds that always have one omit it.
 #pragma once
 
 #include "renderer/lanes/lane.h"
 
 namespace photonproof::inline renderer_bsdfs {
 
-/// Where roughness begins: microfacets' alpha along the sharper direction, and the exponent of Phong's lobes that are
-/// as wide, alpha^2 = 2 / (exponent + 2) (Walter et al. 2007).
+/// Where roughness begins: microfacets' alpha along the sharper direction. Phong's exponent is that of equally wide
+/// lobes, alpha^2 = 2 / (exponent + 2) (Walter et al. 2007).
 struct RoughLimit {
   float least_alpha = 0.2f, most_exponent = 48;
 };
-/// Of scenes with lights that no ray can meet: whatever photons do not bring there is lost.
+/// Limit for scenes with lights that no ray can hit: light that photons do not bring there is lost.
 inline constexpr RoughLimit rough_limit_of_points{0.05f, 800};
 
 template <class Kind, class F>
@@ -23,14 +23,15 @@ concept CanBeRough = requires(const Kind& bsdf, const RoughLimit& limit, const V
   bsdf.rough_share(limit, w, w);
 };
 
-/// `some` over `all`, none where there is nothing.
+/// Ratio `some` / `all`, 0 where `all` is 0.
 template <class F>
 Vec3<F> share_of(const Vec3<F>& some, const Vec3<F>& all) {
   const auto share = [](const F& a, const F& b) { return select(b > 0, lane_min(F(a / b), F(1.0f)), F(0.0f)); };
   return {share(some.x, all.x), share(some.y, all.y), share(some.z, all.z)};
 }
 
-/// The rough part of a BSDF, or in lanes of `whole` all of it: what `eval` says, the density stays that of the whole.
+/// The rough part of a BSDF, or all of it in lanes of `whole`. Only `eval` is split; the density stays that of the
+/// whole.
 template <class Record, class F>
 struct RoughPart {
   static constexpr bool is_lambertian = false;
@@ -46,7 +47,7 @@ struct RoughPart {
 };
 
 /// Decides whether a sample of the smooth part scattered by the rough part or by the rest; `u` is uniform in [0,1).
-/// Multiplies the weight by what the part has of f over the probability of the decision.
+/// Multiplies the weight by the part's share of f over the probability of the decision.
 template <class F>
 Mask<F> is_by_rough_part(const Vec3<F>& rough_share, const F& u, Vec3<F>& weight) {
   const F q = (rough_share.x + rough_share.y + rough_share.z) * (1.0f / 3);

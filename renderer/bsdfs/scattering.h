@@ -1,13 +1,13 @@
-// Scattering at a point of a surface whose shading normal ns may lean off its geometric one ng, the same for kernels
-// (lanes) and scalar integrators: whoever asks a BSDF asks it here, so that none forgets what light paths owe.
+// Scattering at a surface point whose shading normal ns may differ from its geometric normal ng. Kernels (lanes) and
+// scalar integrators both evaluate BSDFs here, so that none omits the correction of light paths.
 //
-// What a camera path computes defines the surface: seen along o and lit along i, it reflects K(o,i) = f(o,i) |i.ns|,
-// with ns the normal that bump and normal maps show to o, times the part of light that they let through. Flux is
-// measured over true areas, |i.ng|. So that both directions of transport have the same inner products,
-//   int int W(o) |o.ng| K(o,i) L(i) di do,
-// a light path that arrives along i leaves along o with K*(i,o) do = K(o,i) |o.ng| / |i.ng| do (Veach 1997, section
-// 5.3.2), which is f times the cosine |i.ns| |o.ng| / |i.ng|. A photon that is looked up without its direction brings
-// |i.ns| / |i.ng| along (`landing`).
+// Camera paths define the surface. Seen along o and lit along i, it reflects K(o,i) = f(o,i) |i.ns|. K also contains
+// the share of light that bump and normal maps let through. The normal ns is the one that these maps show to o. Flux is
+// measured over true areas, |i.ng|. Both directions of transport must have the same inner products,
+//   int int W(o) |o.ng| K(o,i) L(i) di do.
+// A light path that arrives along i therefore leaves along o with K*(i,o) do = K(o,i) |o.ng| / |i.ng| do (Veach 1997,
+// section 5.3.2). That is f times the cosine |i.ns| |o.ng| / |i.ng|. A photon gathered without its direction carries
+// the factor |i.ns| / |i.ng| (`landing`).
 //
 // Directions are unit, in the frame of ns, and point away from the surface.
 #pragma once
@@ -17,9 +17,9 @@
 
 namespace photonproof::inline renderer_bsdfs {
 
-/// Part of the light that the bumps which tilt a normal do not keep from each other (Estevez, Lecocq and Stein 2019, "A
-/// Microfacet-Based Shadowing Function to Solve the Bump Terminator Problem", eqs. 2 and 3): Smith's for GGX of
-/// roughness alpha at the angle whose cosine to the normal before the tilt is given.
+/// The share of light that is not shadowed by the bumps that tilt a normal: Smith's for GGX of roughness alpha.
+/// `cosine` is that of the direction to the normal before the tilt. Source: Estevez, Lecocq and Stein 2019, "A
+/// Microfacet-Based Shadowing Function to Solve the Bump Terminator Problem", eqs. 2 and 3.
 template <class F>
 F bump_shadowing(const F& alpha2, const F& cosine) {
   const F c = lane_abs(cosine);
@@ -29,21 +29,21 @@ F bump_shadowing(const F& alpha2, const F& cosine) {
 /// The bump and normal maps that made a shading normal, at most two of them, one over the other.
 template <class F>
 struct MappedNormals {
-  /// Bits of `state`. Which normal a map shows depends on where it is seen from, and what light paths know is where
-  /// they come from. They choose a state and go only where it is the one that is seen.
-  static constexpr std::uint32_t turned = 1u;                      ///< a twosided BSDF shows its back
-  static constexpr std::uint32_t flipped[2] = {1u << 1, 1u << 2};  ///< the map's normal is mirrored to face the viewer
-  static constexpr std::uint32_t flips[2] = {1u << 3, 1u << 4};    ///< the map does that where needed
-  static constexpr std::uint32_t faces[2] = {1u << 5, 1u << 6};    ///< its viewer is in front of the normal below it
-  /// What photons and gathers must have in common, moved up beside the number of their surface (photon_columns.h).
+  /// Bits of `state`. The normal that a map shows depends on the viewing direction, but light paths know only the
+  /// incoming one. They choose a state and leave only in directions from which that state is seen.
+  static constexpr std::uint32_t turned = 1u;                      ///< A twosided BSDF shows its back.
+  static constexpr std::uint32_t flipped[2] = {1u << 1, 1u << 2};  ///< The map's normal is mirrored to face the viewer.
+  static constexpr std::uint32_t flips[2] = {1u << 3, 1u << 4};    ///< The map mirrors its normal where needed.
+  static constexpr std::uint32_t faces[2] = {1u << 5, 1u << 6};    ///< Its viewer is in front of the normal below it.
+  /// Bits that a photon and a gather must share, moved up beside the number of their surface (photon_columns.h).
   static constexpr std::uint32_t tag_bits = 3;
 
-  Vec3<F> below[2];  ///< the normals under the first and the second map; the shading normal where there is none
-  F shadow[2];       ///< alpha^2 of bump_shadowing; 0 where the map has none
+  Vec3<F> below[2];  ///< normals under the first and the second map; ns where there is none.
+  F shadow[2];       ///< Alpha^2 of bump_shadowing; 0 where the map has none.
   UInt<F> state;
-  F chance;  ///< that a light path chooses this state
+  F chance;  ///< probability that a light path chooses this state
 
-  /// What comes through along `to_light`: nothing where only the maps say that it is this side.
+  /// The share of light along `to_light` that arrives: 0 where only the maps place the light on this side.
   F part_arriving(const Vec3<F>& to_light) const {
     F part(1.0f);
     for (int map = 0; map < 2; ++map) {
@@ -53,7 +53,7 @@ struct MappedNormals {
     return part;
   }
 
-  /// Whether this state is what is seen along `to_camera`.
+  /// Whether this state is the one seen along `to_camera`.
   Mask<F> seen_from(const Vec3<F>& to_camera) const {
     Mask<F> seen = as_mask<F>(true);
     for (int map = 0; map < 2; ++map) {
@@ -75,21 +75,21 @@ struct MappedNormals {
 
 template <class F>
 struct Scattering {
-  Frame<F> frame{Vec3<F>(F(0.0f), F(0.0f), F(1.0f))};  ///< of the shading normal
-  bool bent = false;    ///< the scene has shading normals that are not geometric ones; else the rest is not looked at
-  bool mapped = false;  ///< some of them by maps; else `maps` is not looked at
-  Vec3<F> ng{};         ///< geometric normal, in the frame
+  Frame<F> frame{Vec3<F>(F(0.0f), F(0.0f), F(1.0f))};  ///< Frame of the shading normal.
+  bool bent = false;    ///< Some shading normals differ from geometric ones; if false, the rest is not read.
+  bool mapped = false;  ///< Maps make some of these normals; if false, `maps` is not read.
+  Vec3<F> ng{};         ///< Geometric normal, in the frame.
   MappedNormals<F> maps{};
 
-  /// f of light that arrives along `to_light` and leaves along `to_camera`; no cosine, smooth part alone.
+  /// Value f for light that arrives along `to_light` and leaves along `to_camera`; no cosine, smooth part alone.
   template <class B>
   Vec3<F> eval(const B& bsdf, const Vec3<F>& to_camera, const Vec3<F>& to_light) const {
     const Vec3<F> f = bsdf.eval(to_camera, to_light);
     return mapped ? Vec3<F>(f * maps.part_arriving(to_light)) : f;
   }
 
-  /// What f is multiplied by in a path of that mode: the cosine of the light's direction for camera paths, the
-  /// adjoint's for light paths.
+  /// The cosine that multiplies f in a path of that mode: the light direction's for camera paths, the adjoint's for
+  /// light paths.
   F cosine(const Vec3<F>& to_camera, const Vec3<F>& to_light, TransportMode mode) const {
     const F to_ns = lane_abs(to_light.z);
     if (mode == TransportMode::radiance || !bent)
@@ -98,15 +98,15 @@ struct Scattering {
     return select(to_ng > 0, F(to_ns * lane_abs(dot(ng, to_camera)) / to_ng), F(0.0f));
   }
 
-  /// What flux that lands along `to_light` is worth to gathers that take a Lambertian surface's flux over its true
-  /// area for irradiance.
+  /// Factor of flux that lands along `to_light`, for gathers that take a Lambertian surface's flux over true area for
+  /// irradiance.
   F landing(const Vec3<F>& to_light) const {
     const F to_ng = lane_abs(dot(ng, to_light));
     const F worth = select(to_ng > 0, F(lane_abs(to_light.z) / to_ng), F(0.0f));
     return mapped ? F(worth * maps.part_arriving(to_light) / maps.chance) : worth;
   }
 
-  /// Density per solid angle with which `sample` draws wi when the path came from wo; smooth part alone.
+  /// Density per solid angle with which `sample` gives wi when the path came from wo; smooth part alone.
   template <class B>
   F pdf(const B& bsdf, const Vec3<F>& wo, const Vec3<F>& wi, TransportMode mode) const {
     if (mode == TransportMode::radiance || !bent) return bsdf.pdf(wo, wi);
@@ -144,8 +144,8 @@ struct Scattering {
   template <class B>
   BsdfSample<F> along_light(const B& bsdf, const Vec3<F>& wo, const F& u_lobe, const Vec2<F>& u) const {
     if constexpr (B::is_lambertian) {
-      // |wi.ng| / pi over the hemisphere of ns integrates to 1, whatever the angle between the two: of the cosine
-      // distribution about ng, what falls behind ns goes the opposite way. The weight does not depend on wi.
+      // The density |wi.ng| / pi over the hemisphere of ns integrates to 1, whatever the angle between the normals.
+      // Samples of the cosine distribution about ng that fall behind ns are reversed. The weight does not depend on wi.
       Vec3<F> wi = Frame<F>(ng).to_world(square_to_cosine_hemisphere(u));
       wi = select(wi.z < 0, Vec3<F>(-wi), wi);
       const Vec3<F> weight = bsdf.eval(wo, Vec3<F>(F(0.0f), F(0.0f), F(1.0f))) * pi;
@@ -163,7 +163,7 @@ struct Scattering {
   }
 };
 
-/// One BSDF and where it is asked, for code that does not care which it is.
+/// One BSDF with its shading point, for code that works on any BSDF.
 template <class B, class F>
 struct ScatteringBsdf {
   B bsdf;

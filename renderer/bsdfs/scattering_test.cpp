@@ -1,5 +1,5 @@
-// Both directions of transport are one: however a path comes to a surface, the same light goes from a light to a
-// camera. Checked for every kind of BSDF where normals are interpolated, mapped, mirrored, shadowed, nested.
+// Light paths and camera paths transport the same light from a light to a camera. Checked for every kind of BSDF with
+// normals interpolated, mapped, mirrored, shadowed and nested.
 
 #include "renderer/bsdfs/scattering.h"
 
@@ -24,7 +24,7 @@ TextureIndex even(SceneDescription& d, const Rgb& rgb) {
   d.textures.push_back({{}, "", BitmapDescription{"", image, true, TextureFilter::bilinear, TextureWrap::repeat, {}}});
   return {static_cast<std::uint32_t>(d.textures.size() - 1)};
 }
-/// A normal map that says n everywhere.
+/// A normal map with the constant normal n.
 BsdfIndex mapped(SceneDescription& d, const Vec3f& n, BsdfIndex nested, MappedNormalsDescription options) {
   const TextureIndex texture = even(d, (normalize(n) + Vec3f(1.0f)) * 0.5f);
   return test::add_bsdf(d, NormalMapDescription{texture, nested, options});
@@ -32,7 +32,7 @@ BsdfIndex mapped(SceneDescription& d, const Vec3f& n, BsdfIndex nested, MappedNo
 
 enum class Normals { face, leaning, mapped, plainly_mapped, mapped_in_twosided, plain_in_twosided, mapped_twice };
 
-/// A large triangle at z = 0 with a BSDF and normals of that sort.
+/// A large triangle at z = 0 with this BSDF and normals of this kind.
 SceneDescription surface(const decltype(BsdfDescription::model)& model, Normals normals) {
   SceneDescription d;
   BsdfIndex bsdf = test::add_bsdf(d, model);
@@ -58,7 +58,7 @@ SceneDescription surface(const decltype(BsdfDescription::model)& model, Normals 
   return d;
 }
 
-/// Of a light and a camera far away in all directions.
+/// Radiance of a light and sensitivity of a camera that are far away in all directions.
 float light(const Vec3f& to_light) { return 1 + 0.8f * to_light.x - 0.5f * to_light.z * to_light.y; }
 float camera(const Vec3f& to_camera) { return 1 - 0.6f * to_camera.y + 0.7f * to_camera.x * to_camera.z; }
 
@@ -66,7 +66,7 @@ class OneSurface {
  public:
   explicit OneSurface(const SceneDescription& description)
       : scene_(test::compiled(description, 4, 4)), world_(scene_) {}
-  const SceneInterface& world() const { return world_; }
+  const SceneInterface& scene() const { return world_; }
   Interaction met_from(const Vec3f& direction, float u, TransportMode mode) const {
     Interaction at;
     EXPECT_TRUE(world_.intersect({direction * 3.0f, -direction}, u, mode, at));
@@ -81,8 +81,8 @@ class OneSurface {
 struct Mean {
   double value, error;
 };
-/// int int camera(o) |o.ng| K(o,i) light(i) di do by paths of that mode, over lattices that differ in their random
-/// shift, whose spread is the error. Steps are powers of the root of x^7 = x + 1, which fill the six dimensions evenly.
+/// The integral int int camera(o) |o.ng| K(o,i) light(i) di do, by paths of that mode over randomly shifted lattices.
+/// Their spread is the error. Steps are powers of the root of x^7 = x + 1, which fill the six dimensions evenly.
 Mean transported(const OneSurface& surface, TransportMode mode) {
   constexpr int lattices = 16, points = 4000;
   double sum = 0, squares = 0;
@@ -137,8 +137,8 @@ bool in_twosided(Normals n) { return n == Normals::mapped_in_twosided || n == No
 class BothModes : public testing::TestWithParam<Normals> {};
 
 TEST_P(BothModes, carry_the_same_light_from_a_light_to_a_camera) {
-  // A cosine forgotten or of the wrong normal is 10 % and more, a state of a map drawn with another chance than is said
-  // 5 %; standard errors are 0.1 to 1 %, and under two maps 2 %.
+  // A missing or wrong cosine is at least 10 % off; a map state drawn with a probability other than declared 5 %.
+  // Standard errors are 0.1 to 1 %, and 2 % under two maps.
   for (const Material& m : materials()) {
     if (m.transmits && in_twosided(GetParam())) continue;
     const OneSurface one(surface(m.model, GetParam()));
@@ -154,7 +154,7 @@ TEST_P(BothModes, carry_the_same_light_from_a_light_to_a_camera) {
 }
 
 TEST_P(BothModes, have_weights_that_are_the_value_over_the_density) {
-  // What bdpt and the light tracer connect with is what `scatter` draws: f cos = weight x pdf, to rounding.
+  // bdpt and the light tracer connect with the values that `scatter` samples: f cos = weight x pdf, to rounding.
   for (const Material& m : materials()) {
     if (m.transmits && in_twosided(GetParam())) continue;
     const OneSurface one(surface(m.model, GetParam()));
@@ -175,7 +175,7 @@ TEST_P(BothModes, have_weights_that_are_the_value_over_the_density) {
           continue;  // rounding
         const float value = evaluate(at, to_camera, to_light, mode).y;
         const float pdf = scatter_pdf(at, wo, s.wi, mode);
-        // A lobe that is drawn with all others' chance: the weight of a mixture is that of the sum.
+        // The pdf of a sample covers all lobes, so its weight is that of their sum.
         ASSERT_NEAR(s.weight.y * s.pdf, value, 2e-3f * value) << m.name << ' ' << i;
         ASSERT_NEAR(s.pdf, pdf, 2e-3f * pdf) << m.name << ' ' << i;
         // The definition: a light path's value is a camera path's, times the ratio of true cosines.
@@ -190,7 +190,7 @@ TEST_P(BothModes, have_weights_that_are_the_value_over_the_density) {
 }
 
 TEST_P(BothModes, agree_on_what_a_map_shows_to_whom) {
-  // Only of a state that is seen along o do light paths go along o.
+  // Light paths leave along o only in a state that is seen along o.
   const OneSurface one(surface(DiffuseDescription{RgbD(0.8)}, GetParam()));
   int others = 0;
   for (std::uint64_t i = 0; i < 4000; ++i) {
@@ -201,7 +201,7 @@ TEST_P(BothModes, agree_on_what_a_map_shows_to_whom) {
     const Interaction by_light = one.met_from(to_light, u, TransportMode::importance);
     const Interaction by_camera = one.met_from(to_camera, u, TransportMode::radiance);
     Interaction other;
-    const Interaction& seen = one.world().seen_from(by_light, to_camera, other);
+    const Interaction& seen = one.scene().seen_from(by_light, to_camera, other);
     others += &seen == &other ? 1 : 0;
     ASSERT_EQ(evaluate(seen, to_camera, to_light, TransportMode::radiance),
               evaluate(by_camera, to_camera, to_light, TransportMode::radiance));

@@ -1,4 +1,4 @@
-// A record of every kind of BSDF with random parameters from all that scenes can give it. Test code only.
+// A record of every kind of BSDF with random parameters over all values that scenes can give. Test code only.
 #pragma once
 
 #include <cmath>

@@ -10,7 +10,7 @@ namespace photonproof::test {
 struct NamedBsdf {
   std::string name;
   Bsdf bsdf;
-  bool lossless = false;  ///< reflects and transmits all it gets, the parameters being white
+  bool lossless = false;  ///< reflects and transmits all light, the parameters being white
 };
 
 inline Bsdf compiled(const decltype(BsdfDescription::model)& model,
@@ -22,10 +22,10 @@ inline Bsdf compiled(const decltype(BsdfDescription::model)& model,
   return compile_bsdf(scene, {1}).record;
 }
 
-/// Copper at 650, 550, 450 nm or about: eta, k.
+/// Approximate eta and k of copper at 650, 550 and 450 nm.
 inline ComplexIor copper() { return {{0.21, 1.04, 1.16}, {3.67, 2.59, 2.42}}; }
 
-/// BSDFs with a smooth part, white ones. `alphas` are the roughnesses of the microfacets.
+/// White BSDFs with a smooth part. `alphas` are the roughnesses of the microfacets.
 inline std::vector<NamedBsdf> white_bsdfs(const std::vector<double>& alphas) {
   std::vector<NamedBsdf> all;
   const auto add = [&](const std::string& name, const Bsdf& bsdf, bool lossless) {
@@ -69,14 +69,14 @@ inline std::vector<NamedBsdf> white_bsdfs(const std::vector<double>& alphas) {
   return all;
 }
 
-/// A direction at this angle to the normal, in no plane of the axes.
+/// A direction at this angle to the normal, off the axes' planes.
 inline Vec3f slanted(double degrees) {
   const double theta = degrees * std::numbers::pi / 180, phi = degrees / 20;
   return {static_cast<float>(std::sin(theta) * std::cos(phi)), static_cast<float>(std::sin(theta) * std::sin(phi)),
           static_cast<float>(std::cos(theta))};
 }
 
-/// Directions to the surface: steep, slanted, all but grazing, on both sides.
+/// Directions to the surface: steep, slanted, nearly grazing, on both sides.
 inline std::vector<Vec3f> test_directions(bool both_sides) {
   std::vector<Vec3f> all;
   for (const double degrees : {0.0, 50.0, 88.0}) {

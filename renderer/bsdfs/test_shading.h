@@ -1,4 +1,4 @@
-// The host's variant of BSDFs called as one, for tests that do not care which kind they have.
+// Calls on the host's variant of BSDFs, for tests that work on any kind.
 #pragma once
 
 #include <optional>
@@ -13,7 +13,7 @@ inline Rgb eval(const Bsdf& bsdf, const Vec3f& wo, const Vec3f& wi) {
 inline float pdf(const Bsdf& bsdf, const Vec3f& wo, const Vec3f& wi) {
   return std::visit([&](const auto& b) { return b.pdf(wo, wi); }, bsdf);
 }
-/// Nothing where the path is absorbed.
+/// Empty where the path is absorbed.
 inline std::optional<BsdfSample<float>> sample(const Bsdf& bsdf, const Vec3f& wo, float u_lobe,
                                                const Vec2<float>& u_direction, TransportMode mode) {
   const BsdfSample<float> drawn =

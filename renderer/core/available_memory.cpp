@@ -11,7 +11,7 @@
 namespace photonproof::inline renderer_core {
 namespace {
 
-/// The number a file begins with; "max", the word for no limit, is none.
+/// The number at the start of a file; empty for "max", the word for no limit.
 std::optional<std::uint64_t> number_in(const std::filesystem::path& file) {
   std::ifstream in(file);
   std::uint64_t value = 0;
@@ -25,7 +25,7 @@ void lower(std::optional<std::uint64_t>& least, std::optional<std::uint64_t> mos
   least = least ? std::min(*least, left) : left;
 }
 
-/// Of the process's group and those above it, wherever a limit is set.
+/// Lowers `least` to the rest of the process's control group and those above it, wherever a limit is set.
 void lower_by_groups(std::optional<std::uint64_t>& least) {
   std::ifstream groups("/proc/self/cgroup");  // lines of number:controllers:path, no controllers in version 2
   for (std::string line; std::getline(groups, line);) {

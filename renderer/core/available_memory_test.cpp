@@ -23,7 +23,7 @@ TEST(available_memory, is_no_more_than_the_machine_has_nor_than_the_limit_of_add
   rlimit old{};
   ASSERT_EQ(getrlimit(RLIMIT_AS, &old), 0);
   rlimit small = old;
-  small.rlim_cur = rlim_t{1} << 30;  // bytes, of which the process uses a part already
+  small.rlim_cur = rlim_t{1} << 30;  // bytes; the process already uses a part of them
   ASSERT_EQ(setrlimit(RLIMIT_AS, &small), 0);
   const auto within = available_memory();
   ASSERT_EQ(setrlimit(RLIMIT_AS, &old), 0);

@@ -17,8 +17,8 @@ constexpr char magic[] = "photonproof checkpoint 1\n";
 constexpr std::size_t magic_bytes = sizeof magic - 1;
 constexpr std::uint64_t longest_text = 1 << 16;
 
-/// The whole file but its last 8 bytes must hash to those. Leaves `in` behind the magic; returns the bytes of the
-/// state.
+/// Checks that the last 8 bytes are the hash of all others. Leaves `in` behind the magic; returns the number of bytes
+/// of the state.
 std::uint64_t verify(const std::filesystem::path& file, std::ifstream& in) {
   std::error_code error;
   const std::uintmax_t size = std::filesystem::file_size(file, error);
@@ -45,8 +45,8 @@ std::uint64_t verify(const std::filesystem::path& file, std::ifstream& in) {
   return state_bytes;
 }
 
-/// Whether a file's bytes are on the disk: kill -9 does not ask for it, but after a power failure the new name must not
-/// stand for bytes that were never written. It takes time, the writing thread's alone.
+/// Writes a file's bytes to the disk; false on failure. kill -9 does not need it, but after a power failure the new
+/// name must not stand for unwritten bytes. Only the writing thread waits.
 bool reaches_disk(const std::filesystem::path& file) {
   const int descriptor = open(file.c_str(), O_WRONLY | O_CLOEXEC);
   if (descriptor < 0) return false;

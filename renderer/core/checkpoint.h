@@ -1,5 +1,5 @@
-// The file a long render can go on from: what it is a checkpoint of, as lines of text, then the state, then a checksum.
-// It is for the program that wrote it, on a machine of the same byte order; anything else is refused by name.
+// The file from which a long render continues: its identity as lines of text, then the state, then a checksum. It is
+// for the program that wrote it, on a machine of the same byte order; any other file is refused by name.
 #pragma once
 
 #include <cstddef>
@@ -17,23 +17,23 @@
 
 namespace photonproof::inline renderer_core {
 
-/// What decides the bits of an image, as (what it is called, its value): a checkpoint fits a render of equal identity.
+/// Settings that affect the bits of an image, as (name, value): a checkpoint fits a render of equal identity.
 using RenderIdentity = std::vector<std::pair<std::string, std::string>>;
 
-/// Whether and where a render leaves checkpoints.
+/// Whether and where a render writes checkpoints.
 struct CheckpointPolicy {
   std::filesystem::path file;
   double interval_seconds = 60;  ///< 0: none is written
-  bool resume = false;           ///< go on from `file`
+  bool resume = false;           ///< continue from `file`
   RenderIdentity identity;
 
-  /// Before the work begins. Where there is nothing to go on from, `resume` is switched off and the answer is no: a
-  /// script may ask for it always. Throws InputError when a render that starts anew would replace a checkpoint, which
-  /// may be hours of somebody's work, or when the render that writes it is still at work.
+  /// Call before the work begins. Without a file to continue from, it switches `resume` off and returns false, so a
+  /// script may always request it. Throws InputError when a new render would replace a checkpoint, which may be hours
+  /// of work, or when the render that writes it is still running.
   bool finds_what_it_resumes();
 };
 
-/// Collects a checkpoint in memory, so that the render stands still no longer than that takes.
+/// Collects a checkpoint in memory; the render pauses only for this copy.
 class StateWriter {
  public:
   explicit StateWriter(std::string& out) : out_(out) {}
@@ -56,7 +56,7 @@ class StateWriter {
   std::string& out_;
 };
 
-/// Throws InputError naming the file where it ends too early or holds what does not fit.
+/// Throws InputError naming the file where it ends too early or holds a value that does not fit.
 class StateReader {
  public:
   StateReader(const std::filesystem::path& file, std::ifstream& in, std::uint64_t bytes_left)
@@ -70,7 +70,7 @@ class StateReader {
     bytes(&v, sizeof v);
     return v;
   }
-  /// Into a vector that has its size already.
+  /// Reads into a vector that already has its size.
   template <class T>
   void vector(std::vector<T>& v) {
     static_assert(std::is_trivially_copyable_v<T>);
@@ -87,15 +87,15 @@ class StateReader {
   std::uint64_t left_;
 };
 
-/// Puts a checkpoint of what `state` writes into `content`, whose memory is used again.
+/// Puts a checkpoint with the output of `state` into `content`, whose memory is reused.
 void fill_checkpoint(std::string& content, const RenderIdentity& identity,
                      const std::function<void(StateWriter&)>& state);
 
 /// Replaces `file` atomically: after kill -9 at any moment there is the old one or the new one. Throws InputError when
-/// it cannot be written. `claim`, where there is one, moves to the new file before it has its name.
+/// it cannot be written. `claim`, if given, moves to the new file before the file gets its name.
 void write_checkpoint(const std::filesystem::path& file, const std::string& content, FileClaim* claim = nullptr);
 
-/// Reads what `write_checkpoint` wrote. Throws InputError when the file is missing, no checkpoint, damaged, or of a
+/// Reads a file of `write_checkpoint`. Throws InputError when the file is missing, no checkpoint, damaged, or of a
 /// render of another identity, naming the first difference; all this before `state` is called.
 void read_checkpoint(const std::filesystem::path& file, const RenderIdentity& identity,
                      const std::function<void(StateReader&)>& state);

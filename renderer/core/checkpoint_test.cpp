@@ -1,4 +1,4 @@
-// Checkpoint files: what is written is read, and nothing else is.
+// Checkpoint files: every written file can be read, and no other file can.
 #include "renderer/core/checkpoint.h"
 
 #include <gtest/gtest.h>
@@ -23,7 +23,7 @@ class Checkpoint : public FolderTest {
     fill_checkpoint(content, identity_, [&](StateWriter& out) { out.vector(values_); });
     write_checkpoint(file_, content);
   }
-  /// The message of what reading it throws; empty when it is read as it was written.
+  /// The message that reading it throws; empty when it reads back unchanged.
   std::string problem(const RenderIdentity& identity) const {
     try {
       std::vector<double> read(values_.size());
@@ -51,7 +51,7 @@ TEST_F(Checkpoint, cut_at_any_length_is_refused) {
   const std::string whole = read_file(file_);
   for (std::size_t length = 0; length < whole.size(); length += length < 200 ? 1 : 97) {
     write_file_atomically(file_, whole.substr(0, length));
-    // The first 25 bytes say what the file is.
+    // The first 25 bytes identify the file type.
     EXPECT_EQ(problem(),
               length < 25 ? "is not a checkpoint of a render" : "is damaged or cut short: its checksum does not fit")
         << length;
@@ -129,7 +129,7 @@ TEST_F(Checkpoint, policy_resumes_from_a_file_if_there_is_one_and_wants_none_to_
                            "another output";
   EXPECT_EQ(said(false, 60), busy);
   EXPECT_EQ(said(true, 60), busy);
-  write();  // by somebody else
+  write();  // by another process
   EXPECT_EQ(said(true, 60), "");
 }
 

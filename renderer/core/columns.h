@@ -1,5 +1,5 @@
-// Records whose members are columns: what holds a value of each kind is a parameter, so that one list of members serves
-// for a single record, for arrays, for pointers into them, and for a kernel's lanes.
+// Records whose members are columns. The container of each column's values is a parameter, so one list of members
+// serves for a single record, for arrays, for pointers into them, and for a kernel's lanes.
 #pragma once
 
 #include <cstddef>
@@ -13,7 +13,7 @@ using Pointer = T*;
 template <class T>
 using ConstPointer = const T*;
 
-/// How many columns of a record of single values `zip` comes to, so that none is forgotten.
+/// The number of columns that `zip` visits in a record of single values; it ensures that none is forgotten.
 template <class Record, class Zip>
 consteval std::size_t columns_visited(const Zip& zip) {
   std::size_t columns = 0;

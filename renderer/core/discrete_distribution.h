@@ -1,4 +1,4 @@
-// Drawing an index with given probabilities by bisection of their sums.
+// Samples an index with given probabilities by bisection of their sums.
 #pragma once
 
 #include <algorithm>
@@ -10,7 +10,7 @@ namespace photonproof::inline renderer_core {
 class DiscreteDistribution {
  public:
   DiscreteDistribution() = default;
-  /// Weights >= 0, at least one of them; all zero are taken as all equal.
+  /// Weights >= 0, at least one of them. If all are zero, they count as equal.
   explicit DiscreteDistribution(const std::vector<double>& weights) : upper_(weights.size()) {
     double total = 0;
     for (const double w : weights) total += w;
@@ -19,7 +19,7 @@ class DiscreteDistribution {
       sum += total > 0 ? weights[i] / total : 1 / static_cast<double>(weights.size());
       upper_[i] = sum;
     }
-    // What rounding leaves short of 1 belongs to the last that can be drawn.
+    // The last index of positive weight gets the part that rounding leaves short of 1.
     for (std::size_t i = upper_.size(); i-- > 0 && upper_[i] == sum;) upper_[i] = 1;
     total_ = total;
   }
@@ -27,7 +27,7 @@ class DiscreteDistribution {
   struct Drawn {
     std::size_t index;
     float probability;
-    float u;  ///< what is left of the uniform number: uniform itself, in [0,1)
+    float u;  ///< the rest of the uniform number: uniform itself, in [0,1)
   };
   Drawn sample(float u) const {
     const auto at = std::upper_bound(upper_.begin(), upper_.end(), double{u});

@@ -1,5 +1,5 @@
-// A std::vector for megabytes that are about to be overwritten: resize() leaves new elements uninitialised, and large
-// allocations ask for huge pages, which takes a fifth off the build of a photon map of 1e6.
+// A std::vector for megabytes that are about to be overwritten: resize() leaves new elements uninitialised. Large
+// allocations request huge pages, which shortens the build of a photon map of 1e6 by a fifth.
 #pragma once
 
 #include <cstddef>
@@ -27,9 +27,9 @@ class LargeAllocator {
     if (bytes < large) return static_cast<T*>(::operator new(bytes));
     auto* memory = static_cast<std::byte*>(::operator new(bytes + most_offset, std::align_val_t(page)));
 #ifdef MADV_HUGEPAGE
-    madvise(memory, bytes + most_offset, MADV_HUGEPAGE);  // a wish: where it is not granted, nothing but time is lost
+    madvise(memory, bytes + most_offset, MADV_HUGEPAGE);  // a request: if refused, only time is lost
 #endif
-    // Arrays that all began at a page's begin would compete for the same few lines of the first cache.
+    // Arrays that all start at the beginning of a page would compete for the same few lines of the first cache.
     return reinterpret_cast<T*>(memory + address(memory) / page * 5 % 64 * 64);
   }
   void deallocate(T* memory, std::size_t count) {

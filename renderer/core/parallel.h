@@ -1,4 +1,4 @@
-// Loops over all cores through oneTBB, kept out of the headers of everything else.
+// Loops over all cores through oneTBB, whose headers no other header includes.
 #pragma once
 
 #include <cstddef>
@@ -6,8 +6,8 @@
 
 namespace photonproof::inline renderer_core {
 
-/// A number of worker threads for the loops run inside `run`; 0 asks for every core. More than the machine has is
-/// allowed (the determinism tests use 7).
+/// A number of worker threads for the loops run inside `run`; 0 means every core. More than the machine has is allowed
+/// (the determinism tests use 7).
 class Threads {
  public:
   explicit Threads(int count);
@@ -15,11 +15,11 @@ class Threads {
   /// Calls body(i) for every i in [0, n), in any order, on any thread. Rethrows the first exception.
   void for_each(std::size_t n, const std::function<void(std::size_t)>& body) const;
 
-  /// Indices that `for_each_in_order` has between `body` and `commit` at any time lie within this many.
+  /// All indices that `for_each_in_order` has between `body` and `commit` at any time lie within this many.
   std::size_t in_flight() const { return 4 * static_cast<std::size_t>(count_); }
-  /// For i = first, first + 1, ... below n: body(i) in any order on any thread, then commit(i) one after the other in
-  /// the order of i. Before each i it asks stop(); what was begun by then is committed. Returns the first i that was
-  /// not begun, n when all were. i % in_flight() is a slot that no other index uses between its body and its commit.
+  /// For i = first, first + 1, ... below n: body(i) in any order on any thread, then commit(i) in the order of i. It
+  /// calls stop() before each i; indices begun by then are committed. Returns the first i that was not begun, or n. The
+  /// slot i % in_flight() is used by no other index between its body and its commit.
   std::size_t for_each_in_order(std::size_t first, std::size_t n, const std::function<bool()>& stop,
                                 const std::function<void(std::size_t)>& body,
                                 const std::function<void(std::size_t)>& commit) const;

@@ -1,5 +1,5 @@
-// Stable radix sort of indices by 64-bit keys, least digit first (Knuth, The Art of Computer Programming 3, 5.2.5);
-// digits in which no two keys differ cost one pass over the keys together.
+// Stable radix sort of indices by 64-bit keys, least digit first (Knuth, The Art of Computer Programming 3, 5.2.5).
+// Digits in which no two keys differ cost one pass over the keys together.
 #pragma once
 
 #include <array>
@@ -16,7 +16,7 @@ class RadixSort {
     std::uint64_t key;
     std::uint32_t index;
   };
-  /// To be filled in any order, then sorted by key; items of equal keys keep their order.
+  /// Fill in any order, then sort by key; items of equal keys keep their order.
   std::vector<Item> items;
 
   void sort() {

@@ -1,4 +1,4 @@
-// Rays traced, by kind: what one tile or chunk counts for itself.
+// Rays traced, by kind, as counted by one tile or chunk.
 #pragma once
 
 #include <cstdint>

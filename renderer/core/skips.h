@@ -1,5 +1,5 @@
-// What a render may leave out because the scene does not need it, and the switches that make it do so all the same. The
-// image does not depend on them, or only its noise: each has a test that says so (skips_test.cpp).
+// Work that a render may skip because the scene does not need it, and switches that force it. The switches do not
+// change the image, or only its noise: each has a test of this (skips_test.cpp).
 #pragma once
 
 #include <cstdint>
@@ -26,10 +26,10 @@ enum class Skip : std::uint32_t {
 struct SkipRow {
   Skip skip;
   const char* name;
-  const char* what;  ///< is left out
+  const char* what;  ///< the skipped work
 };
 
-/// One row a skip, in the order of the enumeration.
+/// One row per skip, in the order of the enumeration.
 const std::vector<SkipRow>& skip_table();
 inline const SkipRow& skip_row(Skip skip) { return skip_table()[static_cast<std::size_t>(skip)]; }
 
@@ -37,7 +37,7 @@ inline const SkipRow& skip_row(Skip skip) { return skip_table()[static_cast<std:
 class SkipSwitches {
  public:
   SkipSwitches() = default;
-  /// `names` are of the table, or "all". Throws InputError naming the known ones.
+  /// `names` are of the table, or "all". Throws InputError listing the valid ones.
   explicit SkipSwitches(const std::vector<std::string>& names_switched_off);
 
   bool on(Skip skip) const { return (off_ >> static_cast<std::uint32_t>(skip) & 1u) == 0; }

@@ -1,4 +1,4 @@
-// Nothing that a plan leaves out may change the image.
+// Work that a plan skips must not change the image.
 
 #include "renderer/core/skips.h"
 
@@ -42,7 +42,7 @@ TEST(skips, each_switched_off_alone_leaves_every_bit_of_the_image) {
 }
 
 TEST(skips, embree_and_the_packed_kernel_give_the_same_image_up_to_rounding) {
-  // Rounding moves a few paths across an edge of something; those differ wholly, the others in the last digits.
+  // Rounding moves a few paths across an edge; those differ completely, the others in the last digits.
   for (const SceneDescription& scene : scenes()) {
     const Rendering packed = render_without(scene, "path", {});
     const Rendering embree = render_without(scene, "path", {"bvh"});

@@ -1,4 +1,5 @@
-// The views of the photon mapper: parts of its light add up to the image, and numbers say what the render did.
+// The photon mapper's views: parts of its light add up to the image, and views of numbers report the render's
+// statistics.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -26,7 +27,7 @@ Rendered seen(const SceneDescription& scene, Aov view, RenderJob job, const char
   return test::render(scene, integrator, job);
 }
 
-/// All budgets the photon mapper's own.
+/// A job in which the photon mapper chooses its own budgets.
 RenderJob free_job(std::int64_t spp, std::uint64_t seed = 1) {
   RenderJob job = test::job_with(spp, 0, seed);
   job.budget.photons.reset();
@@ -38,9 +39,9 @@ double count_of(const Rendered& out, const std::string& name) {
   return found != out.stats.counts.end() ? found->second : 0;
 }
 
-/// The room with glass and mirror a little rough, so that no pilot looks for lights in them: the first passes of the
-/// whole image take one sample a pixel, as those of its parts do. Without roulette: where paths go on it is drawn,
-/// where they end at photons it is not.
+/// The room with slightly rough glass and mirror, so that no pilot searches for lights in them. First passes of the
+/// whole image then take one sample a pixel, as those of its parts do. Without roulette: it would apply where paths
+/// continue, but not where they end at photons.
 SceneDescription rough_room() {
   SceneDescription scene = test::room(32, true);
   scene.integrator.method = PathDescription{12, 1000, false};
@@ -51,7 +52,7 @@ SceneDescription rough_room() {
   return scene;
 }
 
-/// Every value of the image is the sum of those of the parts, each of which was rounded.
+/// Every value of the image is the sum of the parts' values, each of which was rounded.
 void expect_sum(const Rendered& image, const std::vector<const Rendered*>& parts) {
   for (std::size_t i = 0; i < image.image.mean.rgb.size(); ++i) {
     double sum = 0;
@@ -73,8 +74,7 @@ void expect_parts_add_up(const SceneDescription& scene, const char* integrator, 
 }
 
 TEST(views, parts_of_the_light_add_up_to_the_image) {
-  // A pixel has one sample in each of two passes: nothing is drawn for several, and no pass follows from another's
-  // image.
+  // A pixel has one sample in each of two passes: samples share no gathers, and no pass depends on an earlier image.
   SceneDescription scene = test::with_indirect(rough_room(), IndirectLight::map);
   expect_parts_add_up(scene, "photonmapper", free_job(2));
   scene.emitters.push_back({{}, "", ConstantLightDescription{RgbD(0.5)}});  // the room is open towards the camera
@@ -94,7 +94,7 @@ TEST(views, parts_of_the_light_on_rough_surfaces_add_up) {
   SceneDescription scene = rough_room();
   scene.shapes[1].bsdf = test::add_bsdf(scene, PhongDescription{100.0, RgbD{0.2, 0.5, 0.3}, RgbD(0.4)});
   scene.shapes[3].bsdf = test::add_bsdf(scene, PlasticDescription{});
-  scene.emitters.push_back({{}, "", ConstantLightDescription{RgbD(0.5)}});  // every part looks for it by rays, too
+  scene.emitters.push_back({{}, "", ConstantLightDescription{RgbD(0.5)}});  // every part also traces rays to it
   for (const IndirectLight indirect : {IndirectLight::map, IndirectLight::gather, IndirectLight::path}) {
     SCOPED_TRACE(word_of(indirect));
     expect_parts_add_up(test::with_indirect(scene, indirect), "photonmapper", free_job(2));
@@ -105,8 +105,8 @@ TEST(views, parts_of_textbook_settings_add_up_at_any_number_of_samples) {
   expect_parts_add_up(test::room(32, true), "sppm", free_job(9));
 }
 
-// With all that adapts itself, of seeds of their own: means of the image and of the floor, where the caustics are,
-// agree within 4 standard errors of their difference, which are small.
+// All adaptive features are on, and seeds differ. Means of the image and of the floor, where the caustics are, agree
+// within 4 standard errors of their difference, which are small.
 TEST(views, parts_of_an_adaptive_render_add_up_in_the_mean) {
   const SceneDescription scene = test::with_indirect(test::room(24, true), IndirectLight::map);
   constexpr int seeds = 16;
@@ -180,9 +180,9 @@ TEST(views, samples_are_one_each_until_passes_disagree_and_all_that_the_camera_s
   EXPECT_LE(most, 64.0f);
   const double sent = count_of(later, "rays_camera") - count_of(later, "pilot_camera_samples");
   EXPECT_NEAR(test::image_mean(samples) * 32 * 32 * spp, sent, 1e-5 * 32 * 32 * spp);
-  // The glass ball shows the light here and there, the wall above it is lit evenly.
+  // The glass ball shows the light in spots; the wall above it is lit evenly.
   EXPECT_GT(test::block_mean(samples, 18, 20, 8, 8), 1.5 * test::block_mean(samples, 12, 8, 8, 8));
-  // Which is what the whole image took, with the radii it had; parts of the light show the same paths to each other.
+  // These are the samples and radii of the whole image; views of parts of the light trace the same camera paths.
   const Rendered whole = seen(scene, Aov::whole, free_job(spp));
   for (const Aov view : {Aov::samples, Aov::radius, Aov::time})
     for (const char* count : {"rays_camera", "rays_shadow", "radius_global", "radius_caustic"})
@@ -202,10 +202,10 @@ TEST(views, time_is_that_of_the_render) {
 
 constexpr int plate_pixels = 32;
 
-/// A floor of 8 x 8 at y = 0 that the camera sees whole from (0, 30, 0), a light of no size at (0, 2, 0), and a mirror
-/// in the plane x = 4, from y = 0.25 to 1 and z = -1 to 1. Of the light's image at (8, 2, 0), light that passes the
-/// mirror's height y meets the floor at x = 8 - 4 * 2/(2 - y): from 0 to 3.43. So each photon that meets the mirror is
-/// stored on the floor, and nothing else is.
+/// A floor of 8 x 8 at y = 0, fully visible from the camera at (0, 30, 0), with a point light at (0, 2, 0). A mirror
+/// lies in the plane x = 4, from y = 0.25 to 1 and z = -1 to 1. The light's image is at (8, 2, 0). Its light that
+/// passes the mirror at the height y meets the floor at x = 8 - 4 * 2/(2 - y): from 0 to 3.43. So each photon that
+/// meets the mirror is stored on the floor, and no other is.
 SceneDescription mirror_beside_floor() {
   SceneDescription scene;
   const BsdfIndex grey = test::add_bsdf(scene, DiffuseDescription{});
@@ -222,9 +222,9 @@ SceneDescription mirror_beside_floor() {
   return scene;
 }
 
-/// The mirror from the light, 4 in front of it, as a part of the sphere: the rectangle's corners are at z = -1 and 1
-/// and at y = -1.75 and -1, and the solid angle from its foot to a corner (a, b) is atan(a b / (d sqrt(a^2 + b^2 +
-/// d^2))).
+/// Solid angle of the mirror from the light, 4 in front of it, as a share of the sphere. The rectangle's corners are at
+/// z = -1 and 1 and at y = -1.75 and -1. The solid angle from its foot to a corner (a, b) is atan(a b / (d sqrt(a^2 +
+/// b^2 + d^2))).
 double share_of_mirror() {
   const auto corner = [](double a, double b) { return std::atan(a * b / (4 * std::sqrt(a * a + b * b + 16))); };
   return 2 * (corner(1, 1.75) - corner(1, 1)) / (4 * std::numbers::pi);
@@ -245,7 +245,7 @@ TEST(views, each_photon_on_a_floor_that_is_seen_whole_is_a_dot_where_it_landed) 
   const double expected = 400'000 * share_of_mirror();
   EXPECT_NEAR(dots(photons), expected, 4 * std::sqrt(expected));
   EXPECT_NEAR(dots(photons), count_of(photons, "photons_stored_caustic"), 1e-5 * expected);
-  // A dot's pixel has a camera sample in the same pass, less than a pixel's diagonal away: 0.47 of the radius 0.5.
+  // A dot's pixel has a camera sample in the same pass, at most a pixel's diagonal away: 0.47 of the radius 0.5.
   const Image caustics = seen(scene, Aov::caustics, job_of_all_directions()).image.mean;
   int lit = 0;
   for (std::size_t i = 0; i < caustics.rgb.size(); ++i) {
@@ -262,7 +262,7 @@ TEST(views, photons_behind_something_or_on_the_other_side_are_not_seen) {
   const Rendered from_below = seen(below, Aov::photons, job_of_all_directions());
   EXPECT_GT(count_of(from_below, "photons_stored_caustic"), 100);
   EXPECT_EQ(dots(from_below), 0);
-  // A mirror 10 below the camera, over the half of positive z, whose back throws nothing down.
+  // A mirror 10 below the camera, over the half of positive z, whose back reflects no light down.
   SceneDescription half = mirror_beside_floor();
   test::add_shape(half, RectangleDescription{},
                   Transform::translate({0, 20, 4}) * Transform::rotate({1, 0, 0}, -90) * Transform::scale(Vec3d(4)),
@@ -273,7 +273,7 @@ TEST(views, photons_behind_something_or_on_the_other_side_are_not_seen) {
 }
 
 TEST(views, radius_is_that_of_the_stats_over_the_size_of_a_pixel) {
-  // The camera looks straight down on the floor, so that a pixel is 2 tan(10 degrees) 30 / 32 of it wide.
+  // The camera looks straight down on the floor: a pixel is 2 tan(10 degrees) 30 / 32 wide there.
   const double pixel = 2 * std::tan(std::numbers::pi / 18) * 30 / plate_pixels;
   const Rendered out = seen(mirror_beside_floor(), Aov::radius, job_of_all_directions());
   const double expected = count_of(out, "radius_caustic") / pixel;
@@ -288,8 +288,8 @@ TEST(views, radius_is_that_of_the_stats_over_the_size_of_a_pixel) {
 }
 
 TEST(views, radius_of_several_passes_is_their_mean) {
-  // The first pass has the radius that is asked for, the second that which the stats of one pass end with. The camera
-  // looks at the back wall along its normal from 4.9; the light is 0.25 wide before it.
+  // The first pass has the given radius, the second the radius at the end of a one-pass render's stats. The camera
+  // looks at the back wall along its normal from 4.9; the light is 0.25 wide in front of the wall.
   SceneDescription scene = test::room(32, true);
   SppmDescription settings;
   settings.radius = 0.2;

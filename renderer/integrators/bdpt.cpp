@@ -1,9 +1,9 @@
-// Bidirectional path tracing (Veach 1997, chapter 10; Lafortune and Willems 1993): each camera sample has a light path
-// of its own, and every vertex of the one is joined to every vertex of the other,
-//   camera path meets a light (s = 0), next-event estimation (s = 1), light vertex to lens (t = 1), vertex to vertex,
-// weighted by bdpt_weights.h. What reaches the lens is splatted. The tail of a long camera path is joined to one light
-// vertex each, drawn uniformly and counted for all: in a room that absorbs next to nothing, paths have thousands of
-// vertices.
+// Bidirectional path tracing (Veach 1997, chapter 10; Lafortune and Willems 1993). Each camera sample has a light path
+// of its own, and every vertex of one path is joined to every vertex of the other. The strategies are: camera path
+// meets a light (s = 0), next-event estimation (s = 1), light vertex to lens (t = 1), vertex to vertex. bdpt_weights.h
+// weights them. Contributions at the lens are splatted. In rooms that absorb hardly any light, paths have thousands of
+// vertices. Late vertices of a camera path are therefore joined to one light vertex each, drawn uniformly and counted
+// for all.
 
 #include "renderer/integrators/bdpt.h"
 
@@ -19,19 +19,19 @@ namespace {
 /// A vertex of either subpath that can be joined to others.
 struct Vertex {
   Interaction at;
-  Vec3f back;      ///< unit, to the vertex before
-  Rgb throughput;  ///< of the subpath up to here, over its densities
+  Vec3f back;      ///< Unit direction to the vertex before.
+  Rgb throughput;  ///< Throughput of the subpath up to here, over its densities.
   SubpathWeights weights;
-  Surroundings around;         ///< on the side of `back`
-  std::uint32_t edges;         ///< of the subpath
-  float refraction_scale = 1;  ///< undoes the squared index ratios in the throughput, for roulette
-  bool went_straight = false;  ///< on from here
+  Surroundings around;         ///< Surroundings on the side of `back`.
+  std::uint32_t edges;         ///< Number of edges of the subpath.
+  float refraction_scale = 1;  ///< Undoes the squared index ratios in the throughput, for roulette.
+  bool went_straight = false;  ///< True if the path went straight on from here.
 };
 
-/// Camera vertices of up to so many edges are joined to every light vertex.
+/// Camera vertices after at most so many edges are joined to every light vertex.
 constexpr std::uint32_t joined_to_all = 16;
 
-/// What the draws of a path are for; light paths and camera paths have sequences of their own.
+/// Uses of a path's random numbers; light paths and camera paths have sequences of their own.
 namespace bdpt_dimension {
 constexpr std::uint32_t in_pixel = 0, lens = 1;
 constexpr std::uint32_t light = 0, position = 1, direction = 2;
@@ -46,7 +46,7 @@ class BidirectionalTracer : ScalarTracer {
   BidirectionalTracer(const Scene& scene, const PathLimits& limits, int grid, std::int64_t pixels)
       : ScalarTracer(scene, limits, pixels), grid_(grid) {}
 
-  /// Radiance of a camera sample; what its light path brings to the lens is splatted. `light_path` is scratch.
+  /// Radiance of a camera sample. Its light path's contributions at the lens are splatted. `light_path` is scratch.
   Rgb sample(int x, int y, const PathSampler& camera_sampler, const PathSampler& light_sampler,
              std::vector<Vertex>& light_path, ScalarWork& work) const {
     light_path.clear();
@@ -59,16 +59,16 @@ class BidirectionalTracer : ScalarTracer {
     if (!within(2)) return;
     const LightStart start = lights_->emit(draws.one(bdpt_dimension::light), draws.two(bdpt_dimension::position),
                                            draws.two(bdpt_dimension::direction));
-    // Along the light's own surface its density is 0, which rounding draws once in some ten million.
+    // Along the light's own surface the density is 0; rounding produces this once in some ten million paths.
     if (!(max_component(start.flux) > 0 && start.pdfs.second > 0 && start.pdfs.first > 0)) return;
     Ray ray = first_ray(start);
     ++work.rays.photon;
     Vertex v;
     v.throughput = start.flux * arriving_from_infinity(scene_interface_, start.is_infinite, outer_);
     if (!(max_component(v.throughput) > 0)) return;
-    if (scene_interface_.has_media_or_bodies()) v.around = surroundings_at(scene_interface_, start.at.p, outer_);
+    if (scene_interface_.has_media_or_interiors()) v.around = surroundings_at(scene_interface_, start.at.p, outer_);
     for (v.edges = 1;; ++v.edges) {
-      // One edge more leads to the lens.
+      // One more edge leads to the lens.
       const Vec3f before = ray.origin;
       if (!within(v.edges + 1) || !meet(ray, draws, TransportMode::importance, v) || !has_density(v, before)) return;
       if (v.edges == 1)
@@ -127,30 +127,31 @@ class BidirectionalTracer : ScalarTracer {
     return travel(scene_interface_, ray, v.around, u_layer, mode, v.throughput, v.at);
   }
 
-  /// Where a ray meets a surface edge-on, or where it starts, no density per area exists. Such rays have no share of
-  /// any image.
+  /// False where a ray meets a surface edge-on or at its own start: no density per area exists. Such rays contribute to
+  /// no image.
   static bool has_density(const Vertex& v, const Vec3f& before) {
     return cosine(v.at.ng, v.back) > 0 && length_squared(v.at.p - before) > 0;
   }
 
-  /// What arrives of light between the vertex and another point.
+  /// Share of the light that passes between the vertex and another point.
   Rgb arriving(const Vertex& v, const SegmentEnd& to, const PathSampler& draws) const {
-    if (!scene_interface_.has_media_or_bodies()) return Rgb(scene_interface_.visible(end_at(v.at), to) ? 1.0f : 0.0f);
+    if (!scene_interface_.has_media_or_interiors())
+      return Rgb(scene_interface_.visible(end_at(v.at), to) ? 1.0f : 0.0f);
     return transmittance(scene_interface_, end_at(v.at), to, towards(v, to), {}, draws, bdpt_dimension::segment);
   }
   Surroundings towards(const Vertex& v, const SegmentEnd& to) const {
     Surroundings around = v.around;
-    if (scene_interface_.has_media_or_bodies()) around.leave(scene_interface_, v.at, v.back, to.p - v.at.p);
+    if (scene_interface_.has_media_or_interiors()) around.leave(scene_interface_, v.at, v.back, to.p - v.at.p);
     return around;
   }
 
-  /// Density with which a light path goes on from the vertex as a camera path came.
+  /// Density with which a light path would continue from the vertex along the camera path.
   static float light_pdf(const Vertex& v, const Vec3f& from_light) {
     return light_goes_on * scatter_pdf(v.at, from_light, v.back, TransportMode::importance);
   }
 
-  /// Draws the next direction and plays roulette; false where the subpath ends. `full` is the throughput that roulette
-  /// compares with.
+  /// Samples the next direction and applies roulette; false where the subpath ends. `full` is the throughput that
+  /// roulette compares with.
   bool go_on(Vertex& v, const PathSampler& draws, TransportMode mode, float full, Ray& ray) const {
     const Scattered next = scatter(v.at, v.back, draws.one(bdpt_dimension::at_vertex(v.edges, bdpt_dimension::lobe)),
                                    draws.two(bdpt_dimension::at_vertex(v.edges, bdpt_dimension::next)), mode);
@@ -174,7 +175,7 @@ class BidirectionalTracer : ScalarTracer {
       if (draws.one(bdpt_dimension::at_vertex(v.edges, bdpt_dimension::roulette)) >= q) return false;
       v.throughput *= 1 / q;
     }
-    if (scene_interface_.has_media_or_bodies()) v.around.leave(scene_interface_, v.at, v.back, next.wi);
+    if (scene_interface_.has_media_or_interiors()) v.around.leave(scene_interface_, v.at, v.back, next.wi);
     ray = scene_interface_.leave(v.at, next.wi);
     return true;
   }
@@ -200,12 +201,12 @@ class BidirectionalTracer : ScalarTracer {
     return {a * a, b * b};
   }
 
-  /// Density with which light paths start as the light was met, times that of going on.
+  /// Density with which light paths start at the light's point and direction, times that of continuing.
   static double emitting(const EmissionPdfs<float>& pdfs) {
     return double{light_goes_on} * double{pdfs.first} * double{pdfs.second};
   }
 
-  /// s = 0: the camera path found a light by itself.
+  /// Strategy s = 0: the camera path meets a light.
   Rgb meet_light(const Vertex& v, const Vec3f& before) const {
     const LightPoint<float> point = lights_.point(v.at);
     const Rgb emitted = lights_->radiance(v.at.light, point, v.back);
@@ -214,12 +215,13 @@ class BidirectionalTracer : ScalarTracer {
     const EmissionPdfs<float> pdfs = lights_->emit_pdfs(v.at.light, point, v.back, before);
     const double g = cosine(v.at.ng, v.back) / length_squared(v.at.p - before);
     const double drawn_anew = g * lights_->pdf(v.at.light, before, point);
-    // (d_0/b_0)^2 for s = 1, and for s > 1 what went before times (f_0 t_0/b_0 ...)^2.
+    // This is (d_0/b_0)^2 for s = 1; for s > 1 the previous sum times (f_0 t_0/b_0 ...)^2.
     const double more = v.weights.ratio_of_light(drawn_anew, emitting(pdfs));
     return v.throughput * emitted * static_cast<float>(1 / (1 + more));
   }
 
-  /// s = 0 at infinity: the direction takes the place of the light's point, and densities stay per solid angle.
+  /// Strategy s = 0 at infinity: the direction takes the place of the light's point, and densities stay per solid
+  /// angle.
   Rgb meet_environment(const Vertex& v, const Vec3f& before) const {
     const Vec3f direction = -v.back;
     const Rgb emitted = v.throughput * lights_->environment_radiance(direction);
@@ -229,7 +231,7 @@ class BidirectionalTracer : ScalarTracer {
     return emitted * static_cast<float>(1 / (1 + more));
   }
 
-  /// s = 1: a light's point drawn for this vertex.
+  /// Strategy s = 1: a point on a light is sampled for this vertex.
   Rgb join_light(const Vertex& v, const PathSampler& draws, ScalarWork& work) const {
     const LightSeen seen =
         lights_->sample(v.at.p, draws.one(bdpt_dimension::at_vertex(v.edges, bdpt_dimension::end_choice)),
@@ -246,7 +248,7 @@ class BidirectionalTracer : ScalarTracer {
         seen.is_delta ? 0.0 : scatter_pdf(v.at, v.back, seen.wi, TransportMode::radiance) / double{seen.pdf};
     const EmissionPdfs<float> pdfs = lights_->emit_pdfs(seen.light, seen.at, -seen.wi, v.at.p);
     const double f1 = light_goes_on * first_step(pdfs, seen.is_infinite, seen.at.p, v.at, seen.wi);
-    // f_0 over d_0: both per area, or both per direction at an infinite light, or both of the choice alone.
+    // The ratio f_0 / d_0: both per area, or per direction at an infinite light, or of the choice alone.
     double drawn = seen.pdf;
     if (!seen.is_delta && !seen.is_infinite)
       drawn *= cosine(seen.at.normal, seen.wi) / length_squared(v.at.p - seen.at.p);
@@ -254,7 +256,7 @@ class BidirectionalTracer : ScalarTracer {
     return value * arrives * static_cast<float>(1 / (1 + less * less + more));
   }
 
-  /// t = 1: the light vertex as the camera sees it.
+  /// Strategy t = 1: connects a light vertex to the camera.
   void join_lens(const Vertex& v, const PathSampler& draws, ScalarWork& work) const {
     if (is_hidden(v.at)) return;
     const std::optional<CameraSeen> seen =
@@ -273,7 +275,7 @@ class BidirectionalTracer : ScalarTracer {
     work.splats.push_back({seen->raster, value * arrives * static_cast<float>(1 / (1 + less))});
   }
 
-  /// A camera vertex and the light vertices that are within the limits, which are the path's first.
+  /// Joins a camera vertex to the light vertices within the depth limit, which are the first ones of the light path.
   Rgb join_light_path(const Vertex& c, const std::vector<Vertex>& light_path, const PathSampler& draws,
                       ScalarWork& work) const {
     std::size_t count = light_path.size();
@@ -290,7 +292,7 @@ class BidirectionalTracer : ScalarTracer {
     return sum;
   }
 
-  /// A camera vertex and a light vertex.
+  /// Joins a camera vertex and a light vertex.
   Rgb join(const Vertex& c, const Vertex& l, const PathSampler& draws, ScalarWork& work) const {
     const Vec3f d = l.at.p - c.at.p;
     const float distance2 = length_squared(d);

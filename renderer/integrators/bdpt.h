@@ -9,7 +9,7 @@
 
 namespace photonproof::inline renderer_integrators {
 
-inline constexpr Stream bdpt_stream{6};  ///< of camera paths; those from lights are ptracer's
+inline constexpr Stream bdpt_stream{6};  ///< of camera paths; light paths use ptracer's
 
 void plan_bdpt(const IntegratorDescription& description, Planner& planner);
 void render_bdpt(const Scene& scene, const RenderPlan& plan, const RenderJob& job, Film& film, RenderStats& stats);

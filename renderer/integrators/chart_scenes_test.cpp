@@ -1,8 +1,8 @@
-// The chart scenes of the library against harness/oracles/charts.py, a ray caster in another language that shares
-// nothing with the renderer: what cameras, filters, clip planes, transforms, uv and bitmaps mean, in an image that is
-// not square. Two charts sample the film's border, chart-lens does not, which is .6 % of its mean. A mirrored picture,
-// another axis of the field of view or half a texel moves the moments by per cents. 5 % of a filter's width, an
-// aperture or a distance of focus moves some pixel by ten times the tolerance.
+// The library's chart scenes against harness/oracles/charts.py, a ray caster in another language that shares no code
+// with the renderer. They check cameras, filters, clip planes, transforms, uv and bitmaps in a non-square image. Two
+// charts include the film's border; chart-lens does not, a difference of .6 % of its mean. A mirrored image, another
+// axis of the field of view or half a texel changes the moments by per cents. An error of 5 % in a filter's width, an
+// aperture or a focus distance changes some pixel by ten times the tolerance.
 
 #include <gtest/gtest.h>
 
@@ -54,7 +54,7 @@ void expect_near(const RgbD& got, const RgbD& expected, double tolerance, const 
   EXPECT_NEAR(got.z, expected.z, tolerance) << what << ", blue";
 }
 
-// The script's own error is about 2e-4 in the moments and 1e-3 in the pixels shown, which it samples more finely.
+// The script's own error is about 2e-4 in the moments and 1e-3 in the shown pixels, which it samples more finely.
 constexpr double of_moments = 6e-4, of_pixels = 3e-3;
 
 TEST_P(ChartScene, is_what_another_ray_caster_shows) {

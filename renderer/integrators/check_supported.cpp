@@ -34,14 +34,14 @@ bool scatters(const MediumDescription& medium) {
   return std::visit([](const auto& m) { return max_component(m.albedo) > 0; }, medium.model);
 }
 
-/// Whether mirrors or glass may throw light on that no camera path finds.
+/// Whether mirrors or glass may reflect or refract light that no camera path finds.
 bool may_throw_light_of_points(const SceneDescription& description) {
   return std::ranges::any_of(description.emitters, is_without_size) &&
          std::ranges::any_of(description.bsdfs,
                              [](const BsdfDescription& bsdf) -> bool { return traits_of(bsdf).specular; });
 }
 
-/// Who can do media that absorb and priorities of dielectrics, and those that scatter.
+/// Names integrators that support absorbing media and dielectric priorities, and those that support scattering media.
 std::string advice(const SceneDescription& description, bool any_scatters) {
   if (!may_throw_light_of_points(description)) return "use 'volpath'";
   return any_scatters

@@ -1,4 +1,4 @@
-// What an integrator cannot do is refused before anything is rendered: never a wrong picture.
+// Refuses scenes and jobs that an integrator cannot do before rendering, so that no wrong image results.
 #pragma once
 
 #include "renderer/integrators/integrator.h"
@@ -6,11 +6,11 @@
 
 namespace photonproof::inline renderer_integrators {
 
-/// Throws InputError at the entity of the scene that the integrator of `method` would get wrong, naming one that does
-/// not, or when this program has no such integrator.
+/// Throws InputError at the entity of the scene that the integrator of `method` cannot render, and names one that can.
+/// Also throws when this program has no such integrator.
 void check_supported(const SceneDescription& description, const IntegratorDescription& method);
 
-/// Throws InputError naming the option when the job asks for what the integrator does not heed.
+/// Throws InputError with the option's name when the job uses an option that the integrator does not support.
 void check_job(const RenderJob& job, const IntegratorDescription& method);
 
 }  // namespace photonproof::inline renderer_integrators

@@ -1,4 +1,4 @@
-// What is refused, where and in which words.
+// Refused scenes and jobs: the place and the words of each message.
 #include "renderer/integrators/check_supported.h"
 
 #include <gtest/gtest.h>
@@ -43,7 +43,7 @@ TEST(check_supported, knows_every_integrator_that_a_scene_file_may_name) {
   }
 }
 
-// Else two integrators that are compared would err alike.
+// Otherwise two integrators that are compared could have the same errors.
 TEST(check_supported, integrators_draw_from_streams_of_their_own) {
   std::map<Stream, std::string> owners{
       {global_photon_stream, "photons"}, {caustic_photon_stream, "photons"}, {pilot_stream, "photons"}};

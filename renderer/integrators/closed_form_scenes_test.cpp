@@ -1,5 +1,5 @@
-// The library's scenes with a closed form, rendered: the image's mean within 3 standard errors of the stated one and
-// within 0.1 %. What they state is held to the formulas by reference/closed_forms/library_closed_forms_test.cpp.
+// Renders of the library's scenes with a closed form: the image's mean is within 3 standard errors of the stated one
+// and within 0.1 %. The test reference/closed_forms/library_closed_forms_test.cpp checks the stated means.
 
 #include <gtest/gtest.h>
 
@@ -22,13 +22,13 @@ namespace photonproof::inline renderer_integrators {
 namespace {
 
 struct Mean {
-  RgbD value{0.0}, error{0.0};  ///< of the image, and one standard deviation
+  RgbD value{0.0}, error{0.0};  ///< mean of the image, and one standard deviation
 };
 
 const std::string kLibrary = std::string(PHOTONPROOF_SOURCE_DIR) + "/scenes/library/";
 
-/// Over renders that differ in their seed alone, whose spread is the error: the film takes Sobol samples for
-/// independent and would state an error that is many times too large.
+/// Mean over renders that differ only in their seed; their spread is the error. The film's own error estimate would be
+/// many times too large, as it treats Sobol samples as independent.
 Mean mean_of(const std::string& name, const char* integrator, std::int64_t spp) {
   constexpr int kSeeds = 16;
   const SceneDescription scene = parse_scene_file(kLibrary + name + "/scene.xml");
@@ -53,7 +53,7 @@ Mean mean_of(const std::string& name, const char* integrator, std::int64_t spp) 
 struct Case {
   const char* scene;
   const char* integrator;
-  std::int64_t spp;  ///< of all seeds together
+  std::int64_t spp;  ///< sum over all seeds
 };
 void PrintTo(const Case& c, std::ostream* out) { *out << c.scene << " by " << c.integrator; }
 
@@ -67,7 +67,7 @@ TEST_P(ClosedFormScene, has_the_stated_mean) {
               integrator, expected.x, expected.y, expected.z, got.value.x, got.value.y, got.value.z, got.error.x,
               got.error.y, got.error.z);
   const auto check = [&](double value, double mean, double error) {
-    // Where nothing is random, floats round: 1e-5 at most.
+    // Where nothing is random, floats still round: 1e-5 at most.
     EXPECT_NEAR(value, mean, std::max(3 * error, 1e-5 * mean));
     EXPECT_NEAR(value, mean, 1e-3 * mean);
   };
@@ -82,7 +82,7 @@ std::string name_of(const testing::TestParamInfo<Case>& test) {
   return name;
 }
 
-/// Those whose light path tracing finds.
+/// Scenes whose light path tracing finds.
 std::vector<Case> by_path() {
   std::vector<Case> cases{{"light-directional", "path", 16}};
   for (const char* scene : {"furnace",           "furnace-conductor", "furnace-dielectric", "furnace-thindielectric",
@@ -97,7 +97,8 @@ std::vector<Case> by_path() {
   return cases;
 }
 
-/// The same with its automatic settings: where caustics carry the light, its mean is noisier than 0.1 % in seconds.
+/// The same for the photon mapper with automatic settings. Where caustics carry the light, seconds of rendering leave
+/// more than 0.1 % of noise in the mean.
 std::vector<Case> by_photon_mapper() {
   std::vector<Case> cases = by_path();
   for (Case& c : cases) c = {c.scene, "photonmapper", std::max<std::int64_t>(c.spp, 256)};
@@ -111,17 +112,17 @@ INSTANTIATE_TEST_SUITE_P(others, ClosedFormScene,
                                          Case{"absorption", "volpath", 64}, Case{"albedo-one", "volpath", 256}),
                          name_of);
 
-/// Mean of the image of a furnace-* scene around an opaque ball: the wall, of radius R = 2, albedo rho = 1/2 and
-/// emission 1, and the ball, of radius r = 0.7, are concentric, so that the wall's radiance B is the same everywhere.
-/// The ball sees nothing but the wall and sends back B a(theta), a the albedo of its material at the angle theta. The
-/// wall sees it in the projected solid angle pi F, F = (r/R)^2, in which sin^2 theta is evenly distributed: its share
-/// of the wall's irradiance is pi F B m, m the integral of a over sin^2 theta, and
-///   B = 1 + rho B (F m + 1 - F),
-/// which are the concentric spheres of closed_forms_enclosures.h with an inner albedo of m.
+/// Mean of the image of a furnace-* scene around an opaque ball. The wall has the radius R = 2, albedo rho = 1/2 and
+/// emission 1. The ball, of radius r = 0.7, is concentric, so the wall's radiance B is the same everywhere. The ball
+/// sees only the wall and reflects B a(theta), where a is its material's albedo at the angle theta. The wall sees the
+/// ball in the projected solid angle pi F, F = (r/R)^2, in which sin^2 theta is evenly distributed. The ball's part of
+/// the wall's irradiance is pi F B m, where m is the integral of a over sin^2 theta. So
+///   `B = 1 + rho B (F m + 1 - F)`,
+/// as for the concentric spheres of closed_forms_enclosures.h with an inner albedo of m.
 /// The camera is D = 1.7 from the middle and sees the square of half-width h = tan 30 degrees one unit ahead. The ball
-/// shows its angle theta at the distance t from the middle of the square, t^2 = k^2 s / (1 - k^2 s) with k = r/D and
-/// s = sin^2 theta, since sin(angle at the camera) = k sin(theta). All of it is in the picture. The mean is
-///   B (1 - pi / (4 h^2) integral of (1 - a) d(t^2)),  d(t^2) = k^2 / (1 - k^2 s)^2 ds.
+/// shows its angle theta at the distance t from the middle of the square, t^2 = k^2 s / (1 - k^2 s). Here k = r/D and s
+/// = sin^2 theta, since sin(angle at the camera) = k sin(theta). The whole ball is in the image. The mean is
+///   `B (1 - pi / (4 h^2) integral of (1 - a) d(t^2)),  d(t^2) = k^2 / (1 - k^2 s)^2 ds`.
 double furnace_around(const Bsdf& ball, int steps) {
   const double k = 0.7 / 1.7, h = std::tan(std::numbers::pi / 6), inner = 0.7, outer = 2;
   double mean_albedo = 0, missing = 0;
@@ -158,7 +159,7 @@ INSTANTIATE_TEST_SUITE_P(library, OpaqueFurnace,
                            return name;
                          });
 
-/// What models without multiple scattering, and shading normals, lose is theirs; they must not gain.
+/// Bounds for models without multiple scattering and for shading normals: they may lose light but must not gain any.
 struct Loss {
   const char* scene;
   double least, most;  ///< of the image's mean
@@ -175,7 +176,7 @@ TEST_P(LossyFurnace, loses_what_its_model_loses_and_gains_nothing) {
   EXPECT_LT(got.value.x, most);
 }
 
-// Of these it is known only that they lose, glass twice, bumps as much as they hide.
+// These are only known to lose light; glass loses twice, bumps as much as they hide.
 INSTANTIATE_TEST_SUITE_P(library, LossyFurnace,
                          testing::Values(Loss{"furnace-roughdielectric", 1.6, 1.812}, Loss{"furnace-bumpmap", 1.9, 2.0},
                                          Loss{"furnace-normalmap", 1.9, 2.0}),

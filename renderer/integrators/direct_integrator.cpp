@@ -1,5 +1,5 @@
-// Direct light is the path tracer's, cut after two edges (Veach and Guibas 1995: both strategies under the balance of
-// their densities; with one of them alone its weight is 1).
+// Direct light is the path tracer's, cut after two edges. Both strategies are weighted by the balance heuristic (Veach
+// and Guibas 1995); a single strategy has the weight 1.
 
 #include "renderer/integrators/direct_integrator.h"
 
@@ -29,7 +29,7 @@ void render_direct(const Scene& scene, const RenderPlan& plan, const RenderJob& 
                           : plan.skips(Skip::mis)      ? DirectLight::unweighted
                                                        : DirectLight::weighted;
   settings.shows_behind_straight = true;       // as Mitsuba's `direct`, unlike its `path`
-  settings.rr_depth = settings.max_depth + 1;  // a path this short is not worth ending early
+  settings.rr_depth = settings.max_depth + 1;  // a path this short needs no roulette
 
   const std::int64_t paths = paths_a_sample(asked);
   const std::int64_t samples = job.budget.spp.value_or(job.sample_count);

@@ -1,4 +1,4 @@
-// The `direct` integrator: emission and light that is reflected once.
+// The `direct` integrator: emission and light reflected once.
 #pragma once
 
 #include "renderer/passes/render_job.h"

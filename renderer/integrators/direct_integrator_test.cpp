@@ -1,4 +1,4 @@
-// Direct light by both strategies and by each alone.
+// Direct light by both strategies together and by each alone.
 #include "renderer/integrators/direct_integrator.h"
 
 #include <gtest/gtest.h>
@@ -24,13 +24,13 @@ test::Rendered render_direct_of(SceneDescription scene, int emitter_samples, int
 }
 
 TEST(direct, furnace_has_one_bounce_by_every_strategy) {
-  // Emission and one reflection of it: e (1 + rho) = 1.5, and by BSDF sampling alone without any noise: every ray meets
-  // the same radiance and a cosine-weighted direction has weight rho.
+  // Emission and one reflection of it give e (1 + rho) = 1.5. By BSDF sampling alone there is no noise: every ray meets
+  // the same radiance, and a cosine-weighted direction has the weight rho.
   const SceneDescription scene = test::furnace(0.5, 1, 16);
   for (const float v : render_direct_of(scene, 0, 1, 4).image.mean.rgb) EXPECT_NEAR(v, 1.5, 1e-5);
   for (const float v : render_direct_of(scene, 1, 1, 64).image.mean.rgb) EXPECT_NEAR(v, 1.5, 0.02 * 1.5);
-  // A point of the sphere sees a uniform point of it under 2 cos / d^2 ...: sampled by solid angle from inside, all of
-  // the sphere is uniform in area; f cos cos' / (d^2 p) = rho / pi * (1 / 4) * 4 pi = rho whatever the point.
+  // From inside, sampling by solid angle makes the sphere uniform in area. So f cos cos' / (d^2 p) = rho / pi * (1 / 4)
+  // * 4 pi = rho for every point.
   for (const float v : render_direct_of(scene, 1, 0, 64).image.mean.rgb) EXPECT_NEAR(v, 1.5, 0.02 * 1.5);
 }
 
@@ -43,7 +43,7 @@ TEST(direct, is_the_path_tracer_cut_after_two_edges) {
 }
 
 TEST(direct, strategies_agree_and_mirrors_show_the_light_in_each) {
-  // Means over the image within 4 standard errors, of which the films know (an upper bound for stratified samples).
+  // Means over the image within 4 standard errors by the films' estimate, an upper bound for stratified samples.
   const SceneDescription scene = test::room(24, true);
   const test::Rendered both = render_direct_of(scene, 1, 1, 4096);
   const auto standard_error = [](const Rendering& image) {
@@ -62,7 +62,7 @@ TEST(direct, strategies_agree_and_mirrors_show_the_light_in_each) {
 TEST(direct, point_light_is_found_by_light_samples_alone) {
   const SceneDescription scene = test::floor_under_point_light(16);
   for (const float v : render_direct_of(scene, 0, 1, 4).image.mean.rgb) EXPECT_EQ(v, 0);
-  // E = I cos / d^2 = 1/4 under the light at height 2, L = rho E / pi; the middle four of 64 pixels see points so near
+  // E = I cos / d^2 = 1/4 under the light at height 2, L = rho E / pi. The middle four of 64 pixels see points so near
   // to it that E varies by less than 0.1 %.
   const auto out = render_direct_of(test::floor_under_point_light(64), 1, 0, 16);
   const double expected = 0.5 * 0.25 / std::numbers::pi;

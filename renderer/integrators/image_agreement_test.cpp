@@ -1,5 +1,5 @@
-// One image, however it is computed: threads do not change a bit of it; instruction sets, the way rays are traced and
-// the sampler change nothing but rounding and noise.
+// The same image by different means. The number of threads does not change a bit of it. Instruction sets, ray tracing
+// method and sampler change only rounding and noise.
 
 #include <gtest/gtest.h>
 
@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t by_embree = 0, by_small_kernel = brute_force_limit;
 
-/// The room, its light unseen, since those few bright pixels would carry most of the mean's noise.
+/// The room with its light out of view, since those few bright pixels would carry most of the mean's noise.
 SceneDescription dim_room(int size, bool with_balls, const char* integrator) {
   SceneDescription scene = test::room(size, with_balls);
   if (std::string(integrator) == "path") {
@@ -23,7 +23,7 @@ SceneDescription dim_room(int size, bool with_balls, const char* integrator) {
   }
   PhotonMapperDescription method;
   method.hide_emitters = true;
-  method.global_radius = 0.15;  // set, so that no pilot makes the bias a matter of the seed
+  method.global_radius = 0.15;  // fixed, since a pilot's radius would make the bias depend on the seed
   method.caustic_radius = 0.05;
   scene.integrator.method = method;
   return scene;
@@ -45,7 +45,7 @@ Image image_of(const SceneDescription& scene, const char* integrator, const How&
   return test::render(scene, integrator, job, how.small_limit).image.mean;
 }
 
-/// Mean over the image, and its standard error, from the spread over renders of different seeds.
+/// Mean over the image, and its standard error from the spread over renders of different seeds.
 struct Estimate {
   double mean, error;
 };
@@ -63,8 +63,8 @@ Estimate mean_over_seeds(const SceneDescription& scene, const char* integrator, 
   return {mean, std::sqrt((squares - sum * mean) / (seeds - 1) / seeds)};
 }
 
-/// Four standard errors of the difference, which for two groups of 32 chance exceeds once in 7000 times; and the
-/// difference must be small in itself, lest noise hide one.
+/// Checks agreement within four standard errors of the difference. For two groups of 32, chance exceeds this once in
+/// 7000 times. The standard error must be small as well, so that noise hides no difference.
 void expect_same(const Estimate& a, const Estimate& b, const std::string& what) {
   const double error = std::hypot(a.error, b.error);
   EXPECT_LT(std::abs(a.mean - b.mean), 4 * error) << what << ": " << a.mean << " and " << b.mean;
@@ -72,7 +72,8 @@ void expect_same(const Estimate& a, const Estimate& b, const std::string& what) 
   EXPECT_LT(error, 0.01 * b.mean) << what;
 }
 
-/// Of the values of two images that differ by more than rounding: what part, and how much the means differ.
+/// Differences between the values of two images: the share of values that differ by more than rounding, and the
+/// relative difference of the means.
 struct Difference {
   double part_that_differs, of_means;
 };
@@ -101,8 +102,8 @@ TEST_P(ImageOf, any_number_of_threads_is_the_same_bits_on_every_instruction_set)
 }
 
 TEST_P(ImageOf, instruction_sets_agree_at_equal_seeds_but_for_a_few_paths) {
-  // They take the same random numbers, so that a path differs by rounding until a choice falls the other way: a lobe,
-  // an edge, a roulette. That is rare, and does not shift the mean.
+  // Both take the same random numbers. Paths differ by rounding until a choice changes: a lobe, an edge, a roulette.
+  // That is rare, and does not shift the mean.
   for (const SamplerKind sampler : {SamplerKind::sobol, SamplerKind::independent}) {
     const SceneDescription scene = dim_room(32, true, GetParam());
     const Image scalar = image_of(scene, GetParam(), {"scalar", sampler}, 16, 3);
@@ -116,7 +117,7 @@ TEST_P(ImageOf, instruction_sets_agree_at_equal_seeds_but_for_a_few_paths) {
 }
 
 TEST_P(ImageOf, instruction_sets_that_fuse_multiply_and_add_agree_to_the_bit) {
-  // v3 and v4 differ in width alone: every lane's arithmetic is the same.
+  // v3 and v4 differ only in width: every lane's arithmetic is the same.
   const auto has = [](const char* isa) {
     return std::any_of(available_kernels().begin(), available_kernels().end(),
                        [&](const Kernels& kernels) { return std::string(kernels.isa) == isa; });

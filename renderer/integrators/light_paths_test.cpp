@@ -1,5 +1,5 @@
-// What images of light paths say of themselves: how certain their pixels, their blocks and their mean are, and what
-// light tracing cannot show.
+// Error estimates of images from light paths, for pixels, blocks and the mean, and light that light tracing cannot
+// show.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -25,7 +25,7 @@ SceneDescription unlit_light_room() {
 }
 
 TEST(film, variances_of_splats_are_those_that_seeds_show) {
-  // The mean over pixels of the estimated variance of the mean against the sample variance over seeds.
+  // The mean over pixels of the estimated variance of the mean, against the sample variance over seeds.
   const SceneDescription scene = unlit_light_room();
   for (const char* integrator : {"ptracer", "bdpt"}) {
     std::vector<double> sum(3 * size * size), squares(3 * size * size);
@@ -60,8 +60,8 @@ TEST(ptracer, says_that_light_from_infinity_does_not_reach_a_plane_to_its_horizo
   EXPECT_THAT(losses(), testing::Contains(testing::HasSubstr("plane without end")));
 }
 
-// A block of 8 x 8 pixels over 60 seeds: its variance is known to 18 %, the mean over 27 blocks and channels to some 5.
-// A splat of this Gaussian spans 6.2 pixels, of which some lie beyond the block's edge.
+// Variances of blocks of 8 x 8 pixels over 60 seeds: one is known to 18 %, the mean over 27 blocks and channels to some
+// 5 %. A splat of this Gaussian spans 6.2 pixels, some of which lie beyond the block's edge.
 TEST(film, neighbours_that_splats_span_vary_together_as_the_image_says) {
   constexpr int many = 60;
   SceneDescription scene = unlit_light_room();
@@ -105,8 +105,8 @@ TEST(ptracer, says_when_few_light_paths_arrive_or_none) {
   SceneDescription floor = test::floor_under_point_light(16);
   EXPECT_THAT(losses(floor, 64), testing::IsEmpty());
   EXPECT_THAT(losses(floor, 4), ElementsAre(HasSubstr("light paths arrived in each of the ")));
-  // From within the room, 90 degrees across the single column: the outermost of 80 rows show 40^3 times less of a wall
-  // than the middle ones.
+  // The view is from within the room and spans 90 degrees across the single column. The outermost of 80 rows show 40^3
+  // times less of a wall than the middle ones.
   SceneDescription tall = test::room(24, false);
   tall.sensor.to_world = Transform::look_at({0, 0, 0.5}, {0, 0, 0}, {0, 1, 0});
   auto& camera = std::get<PerspectiveDescription>(tall.sensor.camera);
@@ -123,7 +123,7 @@ TEST(ptracer, says_when_few_light_paths_arrive_or_none) {
   EXPECT_THAT(losses(floor, 4), ElementsAre(HasSubstr("no light path arrived where the camera looks")));
 }
 
-// A room of radiance 1 is 1 through any filter; where it is narrower than light paths can meet, that is said.
+// A room of radiance 1 is 1 through any filter. Where the filter is too narrow for light paths, a warning must follow.
 TEST(ptracer, loses_nothing_to_a_narrow_filter) {
   SceneDescription room;
   ShapeDescription& wall =
@@ -144,7 +144,8 @@ TEST(ptracer, loses_nothing_to_a_narrow_filter) {
 }
 
 // Pixels that share light paths or photons vary together. Over 60 seeds the variance of the image's mean is known to
-// sqrt(2/59) = 18 %; a stated one that is off by 60 % would be seen. What the pixels alone say is printed beside it.
+// sqrt(2/59) = 18 %. The test detects an error of 60 % in the stated variance. It also prints the estimate from the
+// pixels alone.
 TEST(mean_error, is_what_the_spread_over_seeds_shows) {
   constexpr std::uint64_t runs = 60;
   SceneDescription scene = test::room(12, false);
@@ -174,7 +175,7 @@ TEST(mean_error, is_what_the_spread_over_seeds_shows) {
   }
   RenderJob job = job_with(8);
   job.budget.photons.reset();
-  EXPECT_FALSE(stored_mean_error(test::render(scene, "path", job).image));  // its pixels share nothing
+  EXPECT_FALSE(stored_mean_error(test::render(scene, "path", job).image));  // its pixels are independent
 }
 
 }  // namespace

@@ -1,8 +1,9 @@
-// Camera paths with light sampling at every vertex give the routes of all light but that which a light without size
-// sends into a delta first; light paths joined to the camera give that, too, where a vertex that scatters is seen.
-// Where it is seen in a mirror or through glass neither does: what light paths leave in a cell of space is then taken
-// to be spread over the cell's face, and camera paths that arrive there by deltas alone see it. A route adds to what
-// every integrator misses that cannot find it (light_routes.h).
+// Camera paths with light sampling at every vertex find the routes of most light. The exception is light from a source
+// without size that first meets a delta. Light paths connected to the camera find that too, where the camera sees a
+// scattering vertex. Where such a vertex is seen in a mirror or through glass, neither works. There a cell of space
+// collects the light that light paths leave in it. That light is taken as spread over the cell's face and seen by the
+// camera paths that arrive by deltas alone. A route's light adds to the loss of every integrator that cannot find it
+// (light_routes.h).
 
 #include "renderer/integrators/light_survey.h"
 
@@ -24,15 +25,15 @@ namespace {
 
 constexpr Stream survey_camera_stream{22}, survey_light_stream{23};
 
-/// Paths from either end.
+/// Number of paths from each end.
 constexpr std::uint64_t survey_paths = 4096;
-/// Where next to nothing is absorbed paths are long.
+/// Limits for paths that are long because hardly any light is absorbed.
 constexpr std::uint32_t most_edges = 256, roulette_from = 4;
-/// A part of the image's light: a smaller loss is below what bounds and references see, and needs no warning.
+/// Share of the image's light. A smaller loss is below the resolution of bounds and references, and needs no warning.
 constexpr double least_share = 5e-4;
-/// A third in a row changes nothing for any integrator.
+/// Longest run of scattering turns that is recorded: a third in a row makes no difference to any integrator.
 constexpr char twice[] = {turn::scatters, turn::scatters, 0};
-/// Cells along the radius of the scene's ball.
+/// Number of cells along the radius of the scene's ball.
 constexpr float cells_a_radius = 16;
 
 namespace survey_dimension {
@@ -44,7 +45,7 @@ constexpr std::uint32_t at_vertex(std::uint32_t edges, What what) { return first
 
 double brightness(const Rgb& v) { return (double{v.x} + double{v.y} + double{v.z}) / 3; }
 
-/// The part of what leaves a vertex along `wo`, from `wi`, that photons are looked up for.
+/// Share of the scattering at a vertex along `wo`, from `wi`, for which photons are gathered.
 double looked_up_share(const Interaction& at, const Vec3f& wo, const Vec3f& wi, const RoughLimit& limit) {
   const Vec3f wo_local = at.scattering.frame.to_local(wo), wi_local = at.scattering.frame.to_local(wi);
   return std::visit(
@@ -65,7 +66,7 @@ class LightSurvey : ScalarTracer {
     scatters_in_media_ = std::ranges::any_of(scene.media.media, [](const Medium& m) { return m.scatters; });
   }
 
-  /// Adds what all paths bring.
+  /// Traces all paths and adds their contributions.
   void run() {
     for (std::uint64_t i = 0; i < survey_paths; ++i) {
       if (!scatters_in_media_) trace_from_camera(sampler_of_path(SamplerKind::sobol, 0, survey_camera_stream, i));
@@ -74,7 +75,7 @@ class LightSurvey : ScalarTracer {
     add_what_is_seen_of_cells();
   }
 
-  /// A part of all light; nothing where there is none.
+  /// Lost share of all light; empty where there is no light.
   std::optional<double> share_lost_by(const LightFinder& finder) const {
     if (!(whole_ > 0)) return std::nullopt;
     return lost_[static_cast<std::size_t>(&finder - light_finders().data())] / whole_;
@@ -83,11 +84,11 @@ class LightSurvey : ScalarTracer {
 
  private:
   using Cell = std::array<std::int64_t, 4>;
-  /// The light that light paths leave there, and the weight with which camera paths arrive, all by deltas alone.
+  /// Light that light paths leave in a cell, and weight with which camera paths arrive there, both by deltas alone.
   struct Meeting {
     struct {
       double thrown = 0, seen = 0;
-    } bent{}, straight{};  ///< by some mirror or glass on the way, or by none
+    } bent{}, straight{};  ///< with and without a mirror or glass on the way
   };
 
   void add(bool from_point, const std::string& from_light, double light) {
@@ -100,7 +101,7 @@ class LightSurvey : ScalarTracer {
       if (!light_finders()[i].finds(route)) lost_[i] += light;
   }
 
-  /// A turn where two directions meet is by the part that photons are looked up for, or by the rest.
+  /// Adds a turn between two directions: one share by the part that photons are gathered for, the other by the rest.
   void add_turn(bool from_point, const std::string& before, const std::string& behind, double looked_up, double light) {
     add(from_point, before + turn::scatters + behind, light * looked_up);
     add(from_point, before + turn::glitters + behind, light * (1 - looked_up));
@@ -118,7 +119,7 @@ class LightSurvey : ScalarTracer {
                                                                                        : turn::glitters;
   }
 
-  /// False where roulette ends it.
+  /// Roulette; false where it ends the path.
   static bool goes_on(const PathSampler& draws, std::uint32_t edges, float first, Rgb& throughput) {
     if (!(max_component(throughput) > 0)) return false;
     if (edges < roulette_from) return true;
@@ -143,9 +144,9 @@ class LightSurvey : ScalarTracer {
     if (!ray) return;
     Rgb throughput(1.0f);
     Surroundings around = around_camera_;
-    bool sampled = false;   // whether light sampling at the vertex before has found this light, too
-    bool by_deltas = true;  // alone, so far
-    std::string turns;      // from the light
+    bool sampled = false;   // whether light sampling at the previous vertex also finds this light
+    bool by_deltas = true;  // only deltas so far
+    std::string turns;      // from the light on
     for (std::uint32_t edges = 1; within(edges) && edges <= most_edges; ++edges) {
       const auto draw = [&](survey_dimension::What what) { return survey_dimension::at_vertex(edges, what); };
       Interaction at;
@@ -193,7 +194,7 @@ class LightSurvey : ScalarTracer {
              brightness(value * arriving(at, wo, lights_.end(seen), around, draws)));
   }
 
-  /// Follows a light without size, as far as its first surface throws it on.
+  /// Traces a path from a light without size, if its first surface is a delta.
   void trace_from_light(const PathSampler& draws) {
     const LightStart start = lights_->emit(draws.one(survey_dimension::light), draws.two(survey_dimension::position),
                                            draws.two(survey_dimension::direction));
@@ -236,7 +237,7 @@ class LightSurvey : ScalarTracer {
   bool is_in_fog(const Surroundings& around) const {
     return around.medium() != no_index && scene_interface_.scene().media.media[around.medium()].scatters;
   }
-  /// Where media scatter all of it counts that arrives somewhere: how much the camera sees of it is not known.
+  /// In scattering media all light that arrives anywhere counts as lost: the share seen by the camera is unknown.
   void add_to_fog(const std::string& turns, const Rgb& throughput) {
     add_to_lost({true, turns + turn::scatters}, brightness(throughput));
   }
@@ -268,7 +269,7 @@ class LightSurvey : ScalarTracer {
   float cell_;
   bool scatters_in_media_ = false;
   double whole_ = 0;                                                        ///< sum over paths
-  std::vector<double> lost_ = std::vector<double>(light_finders().size());  ///< to each of them
+  std::vector<double> lost_ = std::vector<double>(light_finders().size());  ///< light lost to each of them
   std::map<Cell, Meeting> meetings_;
 };
 

@@ -1,5 +1,5 @@
-// Light that an integrator cannot find: the table of routes against hand-worked ones, the survey's share against closed
-// forms, and against what images lack.
+// Light that an integrator cannot find. Tests compare the table of routes with hand-worked ones, and the survey's share
+// with closed forms and with the light missing in images.
 
 #include "renderer/integrators/light_survey.h"
 
@@ -31,8 +31,8 @@ std::set<std::string> who_misses(const LightRoute& route) {
   return names;
 }
 
-// From the light to the camera. Next-event estimation joins a light to a vertex that scatters, D or G, next to it;
-// light tracing joins the camera to one next to it; bdpt joins two in a row, too; photons are found on D.
+// Routes go from the light to the camera. Next-event estimation joins a light to an adjacent scattering vertex, D or G.
+// Light tracing joins the camera to an adjacent one. bdpt also joins two in a row. Photons are found on D.
 TEST(light_routes, are_found_as_the_definitions_of_the_integrators_say) {
   using Names = std::set<std::string>;
   const Names deterministic{"direct", "whitted"};
@@ -65,7 +65,7 @@ double share_lost(const char* integrator, const SceneDescription& description, i
   return lost ? lost->share : 0;
 }
 
-/// A furnace of radiance 2 with a mirror ball of radius .5, which parallel rays over [-1, 1]^2 see whole.
+/// A furnace of radiance 2 with a mirror ball of radius .5, fully visible in parallel rays over [-1, 1]^2.
 SceneDescription furnace_with_a_mirror() {
   SceneDescription scene = test::furnace(0.5, 1, 32);
   scene.shapes[0].to_world = Transform::scale(Vec3d(3));
@@ -75,8 +75,8 @@ SceneDescription furnace_with_a_mirror() {
   return scene;
 }
 
-// Everything is as bright, so that light tracing lacks the ball's part of the image, pi/4 (.5)^2 = .1963. The path
-// tracer and those like it lack nothing.
+// Everything has the same brightness, so light tracing lacks the ball's share of the image, pi/4 (.5)^2 = .1963. Path
+// tracers lack nothing.
 TEST(light_survey, light_tracing_lacks_the_part_of_a_furnace_that_a_mirror_covers) {
   const SceneDescription scene = furnace_with_a_mirror();
   const double covered = std::numbers::pi / 4 * 0.25;
@@ -140,8 +140,8 @@ std::vector<Lossy> lossy_scenes() {
   };
 }
 
-// bdpt misses the caustics of a point that are seen in a mirror or through glass; there they are too faint to count,
-// and its image has the photon mapper's mean.
+// bdpt misses the caustics of a point light that are seen in a mirror or through glass. Here they are too faint to
+// count, and its image has the photon mapper's mean.
 TEST(light_survey, names_exactly_the_integrators_whose_images_lack_light) {
   for (const Lossy& row : lossy_scenes()) {
     const auto mean = [&](const char* integrator, int spp) {
@@ -167,7 +167,7 @@ TEST(light_survey, advises_an_integrator_that_shows_the_light) {
   EXPECT_THAT(lost->text(), testing::StartsWith("integrator 'path' cannot find light of lights without size that"));
 }
 
-// In fog nobody finds a point's light that glass sends on.
+// In fog no integrator finds light of a point light that glass refracts.
 TEST(light_survey, advises_nobody_where_glass_stands_in_fog) {
   SceneDescription scene = room_with_a_point(glass());
   scene.media.push_back({{}, "fog", HomogeneousDescription{}});

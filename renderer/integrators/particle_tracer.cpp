@@ -1,10 +1,10 @@
-// Light tracing (Arvo 1986; Dutre, Lafortune, Willems 1993): paths start at the lights, in proportion to their flux,
-// and every vertex that scatters into more than single directions is connected to the camera. With N paths over an
-// image of P pixels a vertex of throughput b adds to the pixel it is seen in
-//   P/N b f |cos| q V
-// where q is the density, over the whole image, with which camera rays would have ended there (CameraSeen::density):
-// what a pixel measures is the mean over its own camera rays. Light from infinity that meets nothing has no vertex to
-// connect: what the camera sees of it comes from one camera ray a sample.
+// Light tracing (Arvo 1986; Dutre, Lafortune, Willems 1993). Paths start at the lights, in proportion to their flux.
+// Every vertex that scatters into more than single directions is connected to the camera. There are N paths and an
+// image of P pixels. A vertex of throughput b adds to the pixel that it is seen in
+//   `P/N b f |cos| q V`.
+// The factor q is the density, over the whole image, with which camera rays would have ended there
+// (CameraSeen::density): a pixel measures the mean over its own camera rays. Light from infinity that meets nothing has
+// no vertex to connect; one camera ray a sample shows it.
 
 #include "renderer/integrators/particle_tracer.h"
 
@@ -21,11 +21,11 @@
 namespace photonproof::inline renderer_integrators {
 namespace {
 
-/// What the draws of a path are for.
+/// Uses of a path's random numbers.
 namespace ptracer_dimension {
 constexpr std::uint32_t light = 0, position = 1, direction = 2, seen_light = 3, seen_position = 4, seen_lens = 5;
 constexpr std::uint32_t segment = 0x80000000u;
-constexpr std::uint32_t in_pixel = 0, lens = 1, layer = 2;  // of the camera's ray, which has a sequence of its own
+constexpr std::uint32_t in_pixel = 0, lens = 1, layer = 2;  // for the camera's ray, which has a sequence of its own
 constexpr std::uint32_t first_vertex = 8, of_vertex = 5;    // from there: lens, direction, lobe, roulette, layer
 constexpr std::uint32_t at_vertex(std::uint32_t vertex, std::uint32_t what) {
   return first_vertex + vertex * of_vertex + what;
@@ -48,7 +48,7 @@ class ParticleTracer : ScalarTracer {
     Ray ray = first_ray(start);
     Surroundings around = surroundings_at(scene_interface_, start.at.p, outer_);
     ++work.rays.photon;
-    // `edges` from the light to the vertex; the one to the camera comes on top.
+    // The number `edges` is that from the light to the vertex; the edge to the camera is additional.
     for (std::uint32_t edges = 1; within(edges + 1); ++edges) {
       const auto draw = [&](std::uint32_t what) { return ptracer_dimension::at_vertex(edges, what); };
       Interaction at;
@@ -72,7 +72,7 @@ class ParticleTracer : ScalarTracer {
     }
   }
 
-  /// What the camera sees of the environment itself.
+  /// Radiance of the environment that the camera sees directly.
   Rgb environment(int x, int y, const PathSampler& draws, ScalarWork& work) const {
     if (!lights_->environment() || limits_.hide_emitters || !within(1)) return Rgb(0.0f);
     std::optional<Ray> ray =
@@ -96,8 +96,8 @@ class ParticleTracer : ScalarTracer {
            !camera_.beyond_far_plane(at.p);
   }
 
-  /// Whether a pixel shows so little that fewer than `paths` of so many paths a pixel would have arrived there if
-  /// it were as bright as `radiance`: one that none reached may be black by chance.
+  /// Whether a pixel shows so small an area that a black value may be chance. True where a pixel as bright as
+  /// `radiance` would receive fewer than `paths` paths, at `light_paths` paths a pixel.
   bool is_narrow(int x, int y, double radiance, double light_paths, double paths, const PathSampler& draws) const {
     constexpr int at_the_middle = 1;
     const Vec2<float> lens = draws.two(ptracer_dimension::lens);
@@ -130,7 +130,7 @@ class ParticleTracer : ScalarTracer {
     add(value, end_at(at), *seen, around, draws, work);
   }
 
-  /// The light itself, by a point of its own.
+  /// Shows the light itself, by a separately sampled point on it.
   void show_light(const PathSampler& draws, ScalarWork& work) const {
     const LightStart start =
         lights_->emit(draws.one(ptracer_dimension::seen_light), draws.two(ptracer_dimension::seen_position),
@@ -155,7 +155,8 @@ class ParticleTracer : ScalarTracer {
 constexpr const char* light_paths_miss_planes =
     "light paths miss a plane without end, from afar, where light from infinity falls on it: it is too dark there";
 
-/// In a pixel that light paths reach at all, fewer on average say nothing of those that none has reached yet.
+/// Minimum of paths a pixel, averaged over the pixels that any path reaches. With fewer, unreached pixels are
+/// inconclusive.
 constexpr double few_paths_a_pixel = 8;
 
 std::string few_paths_text(const char* format, double paths, std::size_t pixels) {
@@ -164,13 +165,13 @@ std::string few_paths_text(const char* format, double paths, std::size_t pixels)
   return text;
 }
 
-/// A light far away, or a view of a speck of the scene, is found by so few paths that none may have been among those
-/// traced; so is a pixel at the edge of a view so wide that it shows next to nothing.
+/// Adds a warning where too few paths may reach the image. That is the case for a distant light or a view of a tiny
+/// part of the scene. It is also the case for pixels at the edge of a very wide view, which show tiny areas.
 void say_if_few_arrive(const Scene& scene, const ParticleTracer& tracer, const RenderJob& job, const Film& film,
                        RenderStats& stats) {
   if (scene.lights.empty()) return;
   const Image image = film.develop().mean;
-  std::size_t wanted = 0, reached = 0;  // pixels that show surfaces, and those of them that are not black
+  std::size_t wanted = 0, reached = 0;  // pixels that show surfaces, and the non-black ones among them
   double brightness = 0;
   const auto brightest = [&](std::size_t pixel) {
     const float* rgb = &image.rgb[3 * pixel];

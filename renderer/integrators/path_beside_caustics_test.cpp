@@ -1,6 +1,6 @@
-// The photon mapper where path tracing finds light between diffuse surfaces, with and without a caustic map beside it,
-// against closed forms and the path tracer, which finds caustics by rays that meet the light. That the views add up is
-// in views_test.cpp.
+// The photon mapper with path tracing between diffuse surfaces, with and without a caustic map. References are closed
+// forms and the path tracer, which finds caustics by rays that meet the light. aovs_test.cpp checks that the views add
+// up.
 
 #include <gtest/gtest.h>
 
@@ -20,7 +20,7 @@ using test::render;
 SceneDescription traced_on(const SceneDescription& scene) { return test::with_indirect(scene, IndirectLight::path); }
 
 TEST(path_beside_caustics, depth_counts_every_edge) {
-  // Emission and k - 1 bounces of albedo 1/2: 1, 1.5, 1.75, 1.875, and 2 in the end.
+  // Emission and k - 1 bounces of albedo 1/2: 1, 1.5, 1.75, 1.875, with the limit 2.
   const double expected[] = {1, 1.5, 1.75, 1.875, 2};
   for (int depth = 1; depth <= 5; ++depth) {
     SceneDescription scene = test::furnace(0.5, 1, 16);
@@ -31,7 +31,7 @@ TEST(path_beside_caustics, depth_counts_every_edge) {
   }
 }
 
-/// Means of the image and of its lower half, of some seeds.
+/// Means of the image and of its lower half, over some seeds.
 struct Means {
   double image = 0, lower = 0, image_error = 0, lower_error = 0;
 };
@@ -57,8 +57,8 @@ Means means_of(const SceneDescription& scene, const char* integrator, std::int64
   return means;
 }
 
-/// Within 4 standard errors of the difference, which are under `most` of the mean. A caustic that is counted twice or
-/// not at all is 2 % of the room's light, and 6 % of that of its lower half.
+/// Checks agreement within 4 standard errors of the difference, which are below `most` of the mean. A caustic counted
+/// twice or not at all is 2 % of the room's light, and 6 % of that of its lower half.
 void expect_agreement(const SceneDescription& scene, double most) {
   const Means path = means_of(scene, "path", 512), other = means_of(traced_on(scene), "photonmapper", 128);
   const auto expect = [&](double a, double b, double a_error, double b_error, const char* what) {
@@ -71,7 +71,7 @@ void expect_agreement(const SceneDescription& scene, double most) {
   expect(path.lower, other.lower, path.lower_error, other.lower_error, "lower half");
 }
 
-/// The light unseen: its few bright pixels would carry most of the mean's noise.
+/// The room with the light out of view: its few bright pixels would carry most of the mean's noise.
 SceneDescription room_without_light(bool with_balls) {
   SceneDescription scene = test::room(32, with_balls);
   scene.integrator.method = PathDescription{-1, 5, true};
@@ -84,7 +84,8 @@ TEST(path_beside_caustics, rooms_have_the_path_tracers_mean) {
 }
 
 TEST(path_beside_caustics, a_room_under_a_sky_has_the_path_tracers_mean) {
-  // Bounces meet the sky, which light samples find, too; the mirror shows it unweighted, the glass throws it.
+  // Bounces meet the sky, which light sampling also finds. The mirror shows it unweighted, and the glass refracts it
+  // into caustics.
   SceneDescription scene = room_without_light(true);
   scene.shapes.erase(scene.shapes.begin() + 2);  // the ceiling
   scene.emitters.push_back({{}, "", ConstantLightDescription{RgbD{0.5, 0.7, 1}}});

@@ -1,4 +1,4 @@
-// The host's part of path tracing: tiles to threads, passes, and the sums of what kernels/path_kernel.h estimates.
+// The host's part of path tracing: tiles for threads, passes, and the sums of the estimates of kernels/path_kernel.h.
 
 #include "renderer/integrators/path_integrator.h"
 

@@ -9,7 +9,7 @@
 
 namespace photonproof::inline renderer_integrators {
 
-/// The passes of the path kernel, with these settings.
+/// Runs the passes of the path kernel with these settings.
 void trace_path_passes(const Scene& scene, const PathSettings& settings, const RenderJob& job, const std::string& phase,
                        Film& film, RenderStats& stats);
 

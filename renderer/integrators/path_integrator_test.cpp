@@ -29,21 +29,21 @@ TEST(path, furnace_cut_at_depth_k_is_the_partial_sum) {
 }
 
 TEST(path, roulette_leaves_the_furnace_unbiased) {
-  // Roulette from the second bounce on: noisy, but the mean over the image stays e / (1 - rho) = 5 within four standard
-  // errors of it, which the film estimates itself.
+  // Roulette from the second bounce on adds noise. The mean over the image stays e / (1 - rho) = 5 within four of the
+  // standard errors that the film estimates.
   SceneDescription scene = test::furnace(0.8, 1, 32);
   scene.integrator.method = PathDescription{-1, 2, false};
   const auto out = render(scene, "path", job_with(256));
   double variance = 0;
   for (const float v : out.image.variance->rgb) variance += double{v};
   const auto pixels = static_cast<double>(out.image.mean.pixels());
-  const double standard_error = std::sqrt(variance / 3) / pixels;  // channels of a grey scene move together
+  const double standard_error = std::sqrt(variance / 3) / pixels;  // channels of a grey scene vary together
   EXPECT_NEAR(test::image_mean(out.image.mean), 5.0, 4 * standard_error);
   EXPECT_LT(standard_error, 0.02);
 }
 
 TEST(path, point_light_gives_cosine_over_distance_squared) {
-  // E = I cos / d^2; under the light, at height 2: E = 1/4, L = rho E / pi. The four pixels around the centre of a
+  // E = I cos / d^2. Under the light, at height 2, E = 1/4 and L = rho E / pi. The four pixels around the centre of a
   // 64^2 image see points within 0.05 of it: cos^3 / h^2 differs from 1/4 by less than 0.1 %.
   const auto out = render(test::floor_under_point_light(64), "path", job_with(16));
   const double expected = 0.5 * 0.25 / std::numbers::pi;
@@ -86,14 +86,16 @@ double observed_over_predicted_variance(SamplerKind sampler) {
 }
 
 TEST(path, variance_predicts_the_spread_of_independent_renders) {
-  // Over 24 seeds the sample variance of a pixel has mean Var and relative error sqrt(2/23) = 0.29; over 20x20x3 values
-  // (channels nearly move together: 400 independent ones) the ratio's error is about 0.29/20 = 1.5 %, the skewed tail
-  // of light transport adds to it: 10 % holds easily and a wrong factor of n or n-1 (at 16 spp: 6 %) times K does not.
+  // Over 24 seeds the sample variance of a pixel has mean Var and relative error sqrt(2/23) = 0.29. Over 20x20x3 values
+  // (channels nearly vary together: 400 independent ones) the ratio's error is about 0.29/20 = 1.5 %. The skewed tail
+  // of light transport adds to it. The tolerance 10 % holds easily, but not for a wrong factor of n or n-1 (at 16 spp:
+  // 6 %) times K.
   EXPECT_NEAR(observed_over_predicted_variance(SamplerKind::independent), 1.0, 0.1);
 }
 
 TEST(path, variance_of_stratified_samples_is_not_underestimated) {
-  // The film takes samples for independent. Scrambled Sobol points are better than that, so what it says is a bound.
+  // The film treats samples as independent. Scrambled Sobol points are better than that, so its estimate is an upper
+  // bound.
   EXPECT_LT(observed_over_predicted_variance(SamplerKind::sobol), 1.0);
 }
 
@@ -105,7 +107,7 @@ TEST(path, interrupt_keeps_the_first_pass) {
   EXPECT_TRUE(out.stats.interrupted);
   EXPECT_EQ(out.stats.counts.at("samples_per_pixel"), 1);
   EXPECT_GT(test::image_mean(out.image.mean), 0);
-  EXPECT_FALSE(out.image.variance.has_value());  // one sample says nothing about its own spread
+  EXPECT_FALSE(out.image.variance.has_value());  // one sample gives no spread
 }
 
 }  // namespace

@@ -1,18 +1,18 @@
-// The photon mapper against path tracing on every library scene that it renders and on meshes of every kind: means of
-// images and of blocks of 8 x 8 pixels, within what its radius and both sides' noise explain.
+// The photon mapper against path tracing on every library scene that it renders and on meshes of every kind. Means of
+// images and of blocks of 8 x 8 pixels must agree, up to the radius's bias and both sides' noise.
 //
-// Bias. A gather averages the irradiance over what it counts. Where that is smooth the average is off by r^2/8 times
-// its Laplacian; at a border or a kink by a multiple of r; where it is infinite as 1/sqrt(x), as along the edges of
-// caustics, by a multiple of sqrt(r) at worst. So from the radius r to half of it a bias b loses between (1 - 1/sqrt 2)
-// b and all of b: with D what the same photons give at r less what they give at r/2, b is between D and 3.42 D, and the
-// truth between L(r) - D and L(r) - 3.42 D. The bounds come from the images alone. A leak, light that is lost, or a map
-// of 98 % does not go with the radius, so that nothing in D makes up for it.
+// Bias. A gather averages the irradiance over its disc. Where irradiance is smooth the average is off by r^2/8 times
+// its Laplacian, at a border or a kink by a multiple of r. Where it is infinite as 1/sqrt(x), as along the edges of
+// caustics, it is off by a multiple of sqrt(r) at worst. So from the radius r to half of it a bias b loses between
+// (1 - 1/sqrt 2) b and all of b. D is the same photons' result at r less that at r/2. So b is between D and 3.42 D, and
+// the truth between L(r) - D and L(r) - 3.42 D. The bounds come from the images alone. A leak, lost light, or a map of
+// 98 % does not scale with the radius, so D cannot make up for it.
 //
-// Noise. Pixels share photons, so that blocks are not as certain as their pixels' variances say. Everything is rendered
-// by as many independent seeds as `seeds` says, and differences are judged by their spread, by Student's t.
+// Noise. Pixels share photons, so blocks are less certain than their pixels' variances suggest. Every image is rendered
+// with `seeds` independent seeds, and Student's t on their spread judges the differences.
 //
-// Both depend on the scene, and the tests print them as power: the smallest error that would be seen with probability
-// 0.99, of the image's mean and, the median over blocks, of a block.
+// Both depend on the scene. The tests print their power: the minimum detectable error with probability 0.99, for the
+// image's mean and, as a median, for a block.
 
 #include <gtest/gtest.h>
 
@@ -42,11 +42,11 @@ struct Effort {
   int size = 32;
   std::int64_t path_spp = 6, photon_spp = 2, photons = 16'000;  // of a seed
   const char* reference = "path";
-  bool without_mirrors = false;  ///< pixels that see mirrors or glass do not count
+  bool without_mirrors = false;  ///< leave out pixels that see mirrors or glass
   IndirectLight indirect = IndirectLight::map;
 };
 
-/// Pixels at whose corners the camera sees a mirror or smooth glass.
+/// Pixels with a corner at which the camera sees a mirror or smooth glass.
 std::vector<bool> mirror_pixels(const Scene& scene, int size) {
   std::vector<bool> mirrors(static_cast<std::size_t>(size * size));
   for (int y = 0; y <= size; ++y)
@@ -65,10 +65,10 @@ std::vector<bool> mirror_pixels(const Scene& scene, int size) {
   return mirrors;
 }
 
-/// The sums of a quantity over seeds: of every block and channel, the image's own means last.
+/// Sums of a quantity over seeds, for every block and channel; the image's own means come last.
 class Blocks {
  public:
-  /// `left_out`: pixels that count nowhere; none where it is empty.
+  /// Pixels in `left_out` count nowhere; if it is empty, all pixels count.
   explicit Blocks(std::vector<bool> left_out) : left_out_(std::move(left_out)) {}
   void add(const Image& image, double weight, std::vector<double>& of_run) const {
     const int across = image.width / block, down = image.height / block;
@@ -107,7 +107,7 @@ struct Comparison {
   explicit Comparison(const std::vector<bool>& left_out)
       : reference(left_out), less_no_bias(left_out), less_most_bias(left_out), at_radius(left_out) {}
   Blocks reference;
-  Blocks less_no_bias;  ///< the photon mapper's image less the least bias that its radius explains: that at half of it
+  Blocks less_no_bias;  ///< the image less the least bias that the radius explains: the image at half the radius
   Blocks less_most_bias;
   Blocks at_radius;
 };
@@ -121,14 +121,14 @@ Comparison compare(const SceneDescription& description, const Effort& effort) {
   };
   const auto method = [&](const char* name) {
     IntegratorDescription of_scene = with_integrator(description.integrator, name);
-    // What only shows lights as they are would be most of the noise.
+    // Directly visible lights would cause most of the noise.
     std::visit([](auto& limits) { limits.hide_emitters = true; }, of_scene.method);
     return of_scene;
   };
   RenderStats stats;
   RenderJob job;
   job.sampler = SamplerKind::independent;
-  // The radii are those that a render of 200,000 photons takes by itself.
+  // The radii are those that a render of 200,000 photons chooses.
   IntegratorDescription photons = method("photonmapper");
   job.budget.spp = 1;
   job.budget.photons = 200'000;
@@ -168,11 +168,11 @@ Comparison compare(const SceneDescription& description, const Effort& effort) {
   return out;
 }
 
-/// Smallest relative error of the image's mean that would have been seen.
+/// Minimum detectable relative error of the image's mean.
 double judge(const Comparison& c, const char* name) {
   const std::size_t values = c.reference.size();
   const boost::math::students_t t(seeds - 1);
-  // Of the image's means and of the blocks, each with half of the level.
+  // Bounds for the image's means and for the blocks, each with half of the level.
   const auto bound_of = [&](std::size_t tests) {
     return boost::math::quantile(boost::math::complement(t, test::sidak_level(static_cast<int>(2 * tests)) / 2));
   };
@@ -236,27 +236,27 @@ class PhotonAgreement : public testing::TestWithParam<std::string> {};
 
 TEST_P(PhotonAgreement, shows_what_path_tracing_shows) {
   Effort effort;
-  // Light from a direction or a small light through glass is found by light paths alone.
+  // Only light paths find light from a direction or a small light through glass.
   if (GetParam() == "ball-lens" || GetParam() == "water-caustic") effort.reference = "ptracer";
   if (GetParam() == "caustic-glass" || GetParam() == "mirror-light") effort.reference = "bdpt";
-  // Caustics of points, which light paths find on the board and on the balls of Phong. Those that mirror and glass show
-  // are found by photons alone.
+  // Light paths find the caustics of points on the board and on the Phong balls. Only photons find caustics that mirror
+  // and glass show.
   if (GetParam() == "whitted" || GetParam() == "whitted-orthographic") {
     effort = {.path_spp = 48, .photon_spp = 4, .photons = 96'000, .reference = "bdpt", .without_mirrors = true};
   }
   ParseOptions options;
-  // Camera paths find what the lacquered ball throws on the ground by luck, light paths for certain.
+  // Camera paths rarely find the light that the lacquered ball reflects onto the ground; light paths always do.
   if (GetParam() == "daylight") {
     effort = {.path_spp = 24, .photons = 64'000, .reference = "bdpt"};
     options.defines = {{"sun_aperture", "5"}};
   }
-  // Of photons between planes without end, those that come back from afar are few and carry much: at two million a
-  // map's image is uncertain by 4 %. Of planes six times as wide as they are far apart it is not.
+  // Between infinite planes, the few photons that return from afar carry much light: at two million photons the map's
+  // image is uncertain by 4 %. Planes only six times as wide as their distance avoid this.
   if (GetParam() == "parallel-planes") {
     options.defines = {{"half_size", "3"}};
     effort.photons = 96'000;
   }
-  // Paths of many edges among thousands of triangles: a tenth of the others' effort costs as much.
+  // Paths have many edges among thousands of triangles: a tenth of the others' effort costs as much.
   if (GetParam() == "course-2" || GetParam() == "course-3") {
     effort.path_spp = 2;
     effort.photon_spp = 1;
@@ -298,7 +298,7 @@ INSTANTIATE_TEST_SUITE_P(
                     MeshCase{"normal_mapped", test::normal_mapped_mesh}),
     [](const auto& test) { return test.param.name; });
 
-// A bounce further or many, where rooms are closed, open under a sky, or hold glass, mirrors and rough metal.
+// One or many further bounces, in rooms that are closed, open under a sky, or hold glass, mirrors and rough metal.
 class FurtherAgreement : public testing::TestWithParam<std::string> {
  protected:
   static void expect_agreement(IndirectLight indirect) {
@@ -318,9 +318,9 @@ INSTANTIATE_TEST_SUITE_P(library, FurtherAgreement, testing::Values("cornell", "
                            return name;
                          });
 
-// The slab from below against path as the radius goes to 0. At 0.01, half of the slab's thickness, a disc could not
-// reach its lit side if it tested nothing; at 0.2 it reaches it ten times over. At 0.01 a gather finds two photons of
-// its pass's; 1e5 gathers are 0.25 % of noise, as is the path tracer's.
+// The slab from below against path as the radius goes to 0. At 0.01, half of the slab's thickness, a disc without tests
+// could not reach the slab's lit side; at 0.2 it reaches ten times as far. At 0.01 a gather finds two photons of its
+// pass's. The noise of 1e5 gathers is 0.25 %, as is the path tracer's.
 TEST(photon_agreement, of_the_slab_is_within_one_percent_at_every_radius) {
   const SceneDescription slab = test::slab_from_below(32);
   const double path = test::image_mean(test::render(slab, "path", test::job_with(2048)).image.mean);

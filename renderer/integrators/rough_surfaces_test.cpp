@@ -1,5 +1,5 @@
-// Caustics on surfaces that are rough but not Lambertian, where the photon mapper looks photons up by their directions:
-// against closed forms and the path tracer, with every kind of indirect light.
+// Caustics on rough surfaces that are not Lambertian, where the photon mapper gathers photons by their directions.
+// References are closed forms and the path tracer, with every kind of indirect light.
 
 #include <gtest/gtest.h>
 
@@ -18,7 +18,7 @@ using test::add_bsdf;
 using test::job_with;
 using test::render;
 
-/// A beam of irradiance 3 along x meets a mirror at 45 degrees and goes straight down on a floor of `model`.
+/// A beam of irradiance 3 along x meets a mirror at 45 degrees and goes straight down to a floor of `model`.
 SceneDescription mirrored_beam(const decltype(BsdfDescription::model)& model) {
   SceneDescription scene;
   const Transform face_up = Transform::rotate({1, 0, 0}, -90);
@@ -34,11 +34,11 @@ SceneDescription mirrored_beam(const decltype(BsdfDescription::model)& model) {
   return scene;
 }
 
-// All of the light is caustic, and paths of three edges leave out what the floor sends to itself by the mirror. With
-// the angle a between the direction to the camera and the mirror direction, straight up, the radiance is
-//   3 (d/pi + s (n+2)/(2 pi) cos^n a)
-// An exponent of 300 is rough, too, since no ray meets the sun. Of 1e6 photons 6e4 land in view; photons with 1 % of
-// their energy missing would be seen.
+// All of the light is caustic. Paths of three edges omit light that the floor sends to itself by the mirror. With the
+// angle a between the direction to the camera and the mirror direction, straight up, the radiance is
+//   `3 (d/pi + s (n+2)/(2 pi) cos^n a)`.
+// An exponent of 300 is rough, too, since no ray meets the sun. Of 1e6 photons 6e4 land in view. The test detects a
+// loss of 1 % of the photons' energy.
 TEST(rough_surfaces, phong_reflects_a_mirrored_beam_as_the_closed_form_says) {
   constexpr int size = 16;
   for (const double n : {2.0, 20.0, 300.0}) {
@@ -67,7 +67,7 @@ TEST(rough_surfaces, edges_of_both_paths_count) {
   EXPECT_EQ(test::image_mean(render(scene, "photonmapper", job_with(4, 100'000)).image.mean), 0);
 }
 
-/// The room with balls of glass and mirror, its floor and its left wall of `model`.
+/// The room with balls of glass and mirror; its floor and its left wall are of `model`.
 SceneDescription rough_room(const decltype(BsdfDescription::model)& model, int size = 32) {
   SceneDescription scene = test::room(size, true);
   const BsdfIndex rough = add_bsdf(scene, model);
@@ -100,7 +100,8 @@ std::vector<Material> materials() {
           {"Phong of exponent 100", PhongDescription{100.0, RgbD{0.2, 0.5, 0.3}, RgbD(0.4)}}};
 }
 
-/// The means of image and floor, from independent seeds: within four standard errors, which are small.
+/// Checks that the means of image and floor, from independent seeds, agree within four standard errors, which are
+/// small.
 void expect_path_tracers_means(const SceneDescription& scene, IndirectLight indirect, const std::string& name) {
   constexpr int seeds = 6;
   double sums[2][2] = {}, squares[2][2] = {};  // by integrator and part
@@ -126,7 +127,7 @@ void expect_path_tracers_means(const SceneDescription& scene, IndirectLight indi
     std::printf("%s, %s: photon mapper / path = %.4f +- %.4f\n", name.c_str(), part == 0 ? "image" : "floor",
                 photons / path, error / path);
     EXPECT_LE(error, 0.012 * path) << "too little is seen: " << name;
-    // Half a percent more is what a caustic's blur moves over the border of the floor.
+    // The additional half a percent allows for a caustic blurred over the border of the floor.
     EXPECT_NEAR(photons, path, 4.5 * error + 0.005 * path) << name;
   }
 }
@@ -142,7 +143,8 @@ TEST(rough_surfaces, have_the_path_tracers_means_with_every_kind_of_indirect_lig
     expect_path_tracers_means(rough_room(phong.model), indirect, word_of(indirect));
 }
 
-// A blend stores photons by chance, and a gather divides by it; the back of a twosided one has photons of its own.
+// A blend stores photons with a probability, and a gather divides by it; the back of a twosided one has its own
+// photons.
 TEST(rough_surfaces, inside_blends_and_twosided_have_the_path_tracers_means) {
   SceneDescription scene = rough_room(materials()[5].model);
   const BsdfIndex phong = scene.shapes[1].bsdf;
@@ -153,7 +155,7 @@ TEST(rough_surfaces, inside_blends_and_twosided_have_the_path_tracers_means) {
   expect_path_tracers_means(scene, IndirectLight::map, "blend");
 }
 
-// Flux over the true area, seen by the normals that maps show.
+// Flux is over the true area, reflected by the normals that maps show.
 TEST(rough_surfaces, under_maps_have_the_path_tracers_means) {
   for (SceneDescription scene : {test::bumped_mesh(32), test::normal_mapped_mesh(32)}) {
     const std::size_t map = scene.bsdfs.size() - 1;

@@ -21,7 +21,7 @@ using test::job_with;
 
 constexpr int seeds = 12, size = 24, block = 8;
 
-/// Means of 8x8 blocks over renders of different seeds, and the standard errors that their spread shows.
+/// Means of 8x8 blocks over renders of different seeds, and standard errors from their spread.
 struct Blocks {
   std::vector<double> mean, error;
 };
@@ -54,8 +54,8 @@ Blocks blocks_of(const SceneDescription& scene, const char* integrator, std::int
   return blocks;
 }
 
-/// Student's t over all blocks and channels at Sidak's level, where chance fails once in a hundred runs of new seeds;
-/// and the whole image must agree to `percent`, lest noise hide a difference.
+/// Student's t over all blocks and channels at Sidak's level: chance fails once in a hundred runs of new seeds. The
+/// whole image must also agree to `percent`, so that noise hides no difference.
 void expect_same(const Blocks& a, const Blocks& b, double percent, const std::string& what) {
   const auto n = static_cast<int>(a.mean.size());
   const boost::math::students_t t(2 * (seeds - 1));
@@ -150,8 +150,8 @@ TEST_P(Unbiased, furnace_is_two) {
   EXPECT_NEAR(mean / n, 2.0, 0.02);
 }
 
-/// A room that absorbs a hundredth: L = e / (1 - rho) = 1, of which camera paths' first 16 edges bring 15 %. Joins that
-/// are drawn there but not counted for those that are not would lose more than half of the rest's.
+/// A room that absorbs a hundredth: L = e / (1 - rho) = 1; camera paths' first 16 edges bring 15 % of it. In the tail,
+/// one join stands for all. Without that factor the image would lose more than half of the rest.
 TEST(bdpt, joins_long_paths_by_draws_and_loses_nothing) {
   RenderJob job = job_with(64, 0, 11);
   job.sampler = SamplerKind::independent;
@@ -163,7 +163,8 @@ TEST(bdpt, joins_long_paths_by_draws_and_loses_nothing) {
   mean /= static_cast<double>(rendered.image.mean.rgb.size());
   EXPECT_NEAR(mean, 1, 4 * error->standard_error[0]);
   EXPECT_LT(error->standard_error[0], 0.006);
-  // To a light's point, to the lens and, in the tail, to one more: not to all of a light path (30 rays a bounce).
+  // A bounce has shadow rays to a light's point, to the lens and, in the tail, to one light vertex. Joins to all
+  // vertices of a light path would take 30 rays a bounce.
   EXPECT_LT(rendered.stats.counts.at("rays_shadow"), 8 * rendered.stats.counts.at("rays_bounce"));
 }
 
@@ -187,8 +188,8 @@ TEST(whitted, is_direct_light_where_nothing_is_specular) {
 }
 
 TEST(bdpt, weights_are_those_of_the_definition_and_sum_to_one) {
-  // A path of eight vertices with random densities per solid angle and cosines. p_s = product of f_i for i < s and b_i
-  // for i >= s; every strategy's weight by ratios is p_s^2 over the sum of squares, computed here from products.
+  // A path of eight vertices with random densities per solid angle and cosines. p_s is the product of f_i for i < s and
+  // b_i for i >= s. Every strategy's weight by ratios is p_s^2 over the sum of squares, computed here from products.
   constexpr std::size_t n = 8;
   test::Random random(7);
   const auto any = [&] { return 0.1 + double{random.next()}; };
@@ -208,7 +209,7 @@ TEST(bdpt, weights_are_those_of_the_definition_and_sum_to_one) {
     for (std::size_t i = 0; i < n; ++i) product *= i < s ? f[i] : b[i];
     return product;
   };
-  // Strategies 1 to n - 1: below, next-event estimation and f_0 are one density, and no path meets the light or lens.
+  // Strategies are 1 to n - 1. Here next-event estimation and f_0 are one density, and no path meets the light or lens.
   double total = 0;
   for (std::size_t s = 1; s < n; ++s) total += p(s) * p(s);
   double sum = 0;
@@ -242,8 +243,8 @@ TEST(henyey_greenstein, draws_by_its_density) {
   }
 }
 
-/// A light of radiance 1 that just fills the view (0.035 across), 2 units before the camera, in a medium without end.
-/// Rays start on the near plane, 0.01 ahead of the camera, and so do the media on their way.
+/// A light of radiance 1 that just fills the view (0.035 across), 2 units before the camera, in an infinite medium.
+/// Rays start on the near plane, 0.01 ahead of the camera, as do the media along them.
 SceneDescription light_in_medium(const HomogeneousDescription& medium) {
   SceneDescription scene;
   ShapeDescription& area_light =
@@ -258,7 +259,8 @@ SceneDescription light_in_medium(const HomogeneousDescription& medium) {
 }
 
 TEST(media, absorption_is_beers_law) {
-  // Half a degree around the axis, the distance is 2 - 0.01 to 4 parts in 10^5: e^(-1.99 sigma).
+  // Within half a degree of the axis, the distance is 2 - 0.01 to 4 parts in 10^5. The transmittance is e^(-1.99
+  // sigma).
   const SceneDescription scene = light_in_medium({{0.2, 0.5, 1.5}, RgbD(0), 1, {}});
   for (const char* integrator : {"volpath", "bdpt"}) {
     const Image image = test::render(scene, integrator, job_with(2)).image.mean;
@@ -276,10 +278,10 @@ TEST(media, light_path_through_an_absorber_loses_as_much) {
 }
 
 TEST(media, scattering_without_loss_leaves_uniform_light_as_it_is) {
-  // Albedo 1 inside a closed black light of radiance 1: L = 1 from everywhere, whatever the extinction of a channel.
+  // Albedo 1 inside a closed black light of radiance 1: L = 1 from everywhere, whatever a channel's extinction.
   SceneDescription scene = test::furnace(0, 1, size);
   scene.media.push_back({{}, "", HomogeneousDescription{{0.5, 1, 3}, RgbD(1), 1, HenyeyGreensteinDescription{0.5}}});
-  scene.shapes[0].exterior = MediumIndex{0};  // the normal points in
+  scene.shapes[0].exterior = MediumIndex{0};  // the normal points inward
   scene.sensor.medium = MediumIndex{0};
   const Blocks blocks = blocks_of(scene, "volpath", 64, 5);
   for (int channel = 0; channel < 3; ++channel) {
@@ -295,11 +297,11 @@ TEST(media, scattering_without_loss_leaves_uniform_light_as_it_is) {
 
 TEST(media, light_scattered_once_is_the_line_integral) {
   // A point light I = 1 at distance h = 1 beside the axis, sigma_t = 0.5 (half of it from `scale`), albedo 0.8, paths
-  // of two edges: L = integral of sigma_s p(cos) e^(-sigma_t (t + r)) / r^2 dt with r^2 = h^2 + (t - t0)^2 and t from
-  // the near plane on, 0.01 ahead; midpoint rule. Light on its way to the camera turns by cos = (t0 - t) / r, and by
-  // Henyey and Greenstein 1941 p = (1 - g^2) / (4 pi (1 + g^2 - 2 g cos)^(3/2)), forward where g > 0: the nearer half
-  // of the line, of which more arrives. 5 % of sigma_t, scale or g move one of the three by 2.5 to 5 %, of albedo all
-  // by 5 %, and g's sign nearly halves it.
+  // of two edges. L = integral of sigma_s p(cos) e^(-sigma_t (t + r)) / r^2 dt with r^2 = h^2 + (t - t0)^2, by the
+  // midpoint rule. The variable t starts on the near plane, 0.01 ahead. Light on its way to the camera turns by
+  // cos = (t0 - t) / r. By Henyey and Greenstein 1941, p = (1 - g^2) / (4 pi (1 + g^2 - 2 g cos)^(3/2)). For g > 0 it
+  // is forward: more light arrives from the nearer half of the line. An error of 5 % in sigma_t, scale or g changes one
+  // of the three results by 2.5 to 5 %. In albedo it changes all by 5 %; a wrong sign of g nearly halves one.
   for (const double g : {0.0, 0.6, -0.6}) {
     SceneDescription scene;
     HomogeneousDescription medium{RgbD(0.25), RgbD(0.8), 2, IsotropicDescription{}};
@@ -328,7 +330,7 @@ TEST(media, light_scattered_once_is_the_line_integral) {
   }
 }
 
-/// A glass ball under a sky before a light, with another ball of water in its middle.
+/// A glass ball under a sky before a light, with an optional ball of water in its middle.
 SceneDescription ball_in_ball(const DielectricDescription& outer, const std::optional<DielectricDescription>& inner) {
   SceneDescription scene = unlit_light_room(false);
   test::add_shape(scene, SphereDescription{{0, -0.3, 0}, 0.6}, {}, test::add_bsdf(scene, outer));
@@ -337,7 +339,7 @@ SceneDescription ball_in_ball(const DielectricDescription& outer, const std::opt
 }
 
 TEST(straight_ways, come_to_an_end_where_coordinates_are_coarse) {
-  // Of a ball that lies at 2e5, where floats are 1/64 apart: moved off the ball, the ray started where it had started.
+  // A ball at 2e5, where floats are 1/64 apart: offset from the ball, the ray would start where it started before.
   const Scene scene = test::compiled(test::furnace(0.5, 1, size), size, size);
   const SceneInterface world(scene);
   const Vec3f start{-106496.453f, -131070.648f, 229376.688f}, direction{0.157587945f, 0.916875303f, -0.366750121f};
@@ -352,7 +354,7 @@ TEST(straight_ways, come_to_an_end_where_coordinates_are_coarse) {
     ball.p = ball.p + (next.origin - ray.origin);
     ray = next;
   }
-  // Where moving off gets there, nothing is added.
+  // Where the offset suffices, nothing is added.
   const Ray far{start - direction, direction};
   EXPECT_EQ(world.pass(far, ball, direction).origin, world.leave(ball, direction).origin);
 }

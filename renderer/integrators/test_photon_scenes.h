@@ -1,4 +1,4 @@
-// Scenes in which a surface has more than one tangent plane, or is thinner than a gather is wide.
+// Scenes in which a surface has more than one tangent plane, or is thinner than a gather's width.
 #pragma once
 
 #include <algorithm>
@@ -23,7 +23,7 @@ inline MeshDescription mesh_of(const std::vector<Vec3f>& positions, std::vector<
   return {MeshDescription::Format::obj, "made.obj", face_normals, false, mesh};
 }
 
-/// [-1,1]^3 as twelve triangles of one mesh, facing outward, which share their corners.
+/// The box [-1,1]^3 as a mesh of twelve triangles that face outward and share their corners.
 inline MeshDescription box_mesh() {
   std::vector<Vec3f> corners;
   for (int i = 0; i < 8; ++i) corners.push_back({i & 1 ? 1.0f : -1.0f, i & 2 ? 1.0f : -1.0f, i & 4 ? 1.0f : -1.0f});
@@ -43,7 +43,7 @@ inline MeshDescription box_mesh() {
                  true);
 }
 
-/// [-1,1]^2 facing +z, cut into cells^2 squares of two triangles, with uv over it.
+/// The square [-1,1]^2 facing +z, cut into cells^2 squares of two triangles, with uv over it.
 inline MeshDescription square_mesh(int cells) {
   std::vector<Vec3f> positions;
   std::vector<Vec2<float>> uvs;
@@ -71,7 +71,7 @@ inline MeshDescription sphere_mesh(int level) {
   return mesh_of(positions, ball.triangles, true);
 }
 
-/// The closed room, its light not seen.
+/// The closed room with its light out of view.
 inline SceneDescription photon_room(int size) {
   SceneDescription scene = room(size, false);
   add_shape(scene, RectangleDescription{}, Transform::rotate({0, 1, 0}, 180) * Transform::translate({0, 0, -1}), {0});
@@ -80,8 +80,8 @@ inline SceneDescription photon_room(int size) {
   return scene;
 }
 
-/// A slab 0.02 thick under the light of a closed room, its dark side all that is seen: lit by the room, a tenth as much
-/// as its other side.
+/// A slab 0.02 thick under the light of a closed room; only its dark side is visible. The room lights that side a tenth
+/// as much as the other.
 inline SceneDescription slab_from_below(int size) {
   SceneDescription scene = photon_room(size);
   add_shape(scene, box_mesh(), Transform::translate({0, 0.3, 0}) * Transform::scale({0.7, 0.01, 0.7}),
@@ -94,7 +94,7 @@ inline SceneDescription twosided_slab_from_below(int size) {
   SceneDescription scene = slab_from_below(size);
   const BsdfIndex grey = scene.shapes.back().bsdf;
   scene.shapes.back().bsdf = add_bsdf(scene, TwoSidedDescription{grey, grey});
-  // A surface side without thickness, which both sides of one surface show.
+  // A surface without thickness that shows both of its sides.
   add_shape(scene, square_mesh(1),
             Transform::translate({0, -0.3, 0}) * Transform::rotate({1, 0, 0}, 90) * Transform::scale(Vec3d(0.25)),
             scene.shapes.back().bsdf);
@@ -111,7 +111,7 @@ inline SceneDescription mesh_sphere(int size) {
   return scene;
 }
 
-/// The room's walls as one mesh, seen from inside, and a turned box on its floor.
+/// The room's walls as one mesh, seen from inside, and a rotated box on its floor.
 inline SceneDescription mesh_boxes(int size) {
   SceneDescription scene = photon_room(size);
   const ShapeDescription light = scene.shapes[5];
@@ -157,7 +157,7 @@ inline SceneDescription textured_mesh(int size) {
   return with_mesh_floor(scene, floor, 3);
 }
 
-/// Waves of the floor, as bumps of a flat mesh: normals lean up to 17 degrees.
+/// Waves of the floor, as bumps of a flat mesh: normals tilt by up to 17 degrees.
 inline SceneDescription bumped_mesh(int size) {
   SceneDescription scene = photon_room(size);
   const TextureIndex waves = add_texture(scene, 64, 8, true, [](int x, int) {
@@ -168,7 +168,7 @@ inline SceneDescription bumped_mesh(int size) {
   return with_mesh_floor(scene, floor, 2);
 }
 
-/// Every normal of the floor leans 20 degrees to one side.
+/// Every normal of the floor tilts 20 degrees to one side.
 inline SceneDescription normal_mapped_mesh(int size) {
   SceneDescription scene = photon_room(size);
   const double lean = 20 * 3.14159265358979 / 180;
@@ -192,7 +192,7 @@ inline SceneDescription heightfield(int size) {
   return scene;
 }
 
-/// Two copies of a box and a ball, one turned and scaled, one sheared.
+/// Two instances of a box and a ball, one rotated and scaled, one sheared.
 inline SceneDescription sheared_instances(int size) {
   SceneDescription scene = photon_room(size);
   ShapeGroupDescription group;

@@ -1,4 +1,4 @@
-// Small scenes built by hand for the tests, so that they need no file and no parser.
+// Small scenes built in code for the tests, so that they need no file and no parser.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -64,7 +64,7 @@ inline SceneDescription room(int size, bool with_balls) {
   SceneDescription scene;
   const BsdfIndex white = add_bsdf(scene, DiffuseDescription{RgbD(0.7)});
   const BsdfIndex red = add_bsdf(scene, DiffuseDescription{RgbD{0.6, 0.1, 0.1}});
-  const Transform inward = Transform::translate({0, 0, -1});  // then turned to each side
+  const Transform inward = Transform::translate({0, 0, -1});  // then rotated to each side
   add_shape(scene, RectangleDescription{}, inward, white);
   add_shape(scene, RectangleDescription{}, Transform::rotate({1, 0, 0}, -90) * inward, white);
   add_shape(scene, RectangleDescription{}, Transform::rotate({1, 0, 0}, 90) * inward, white);
@@ -103,7 +103,7 @@ struct Rendered {
   RenderStats stats;
 };
 
-/// A scene that was built as is, by any method.
+/// Renders a compiled scene as it is, by any method.
 inline void render(const Scene& scene, const IntegratorDescription& method, const RenderJob& job, Film& film,
                    RenderStats& stats) {
   photonproof::render(scene, plan_render(analyse(scene), method, job), job, film, stats);
@@ -135,7 +135,7 @@ inline Rendered expect_same_bits_at_any_threads(const SceneDescription& scene, c
   return one;
 }
 
-/// The scene with its limits, and the photon mapper with such indirect light, within `radius` of both maps if positive.
+/// The scene with its limits and the photon mapper with this indirect light. A positive `radius` applies to both maps.
 inline SceneDescription with_indirect(SceneDescription scene, IndirectLight indirect, double radius = 0) {
   PhotonMapperDescription settings;
   static_cast<PathLimits&>(settings) = scene.integrator.limits();
@@ -163,7 +163,7 @@ inline double block_mean(const Image& image, int x0, int y0, int width, int heig
 }
 inline double image_mean(const Image& image) { return block_mean(image, 0, 0, image.width, image.height); }
 
-/// Means of all instruction sets agree; v3 and v4, which differ in width alone, to the bit.
+/// Checks that the means of all instruction sets agree. v3 and v4, which differ only in width, must agree to the bit.
 inline void expect_instruction_sets_agree(const SceneDescription& scene, const char* integrator, RenderJob job) {
   std::map<std::string, Image> images;
   for (const Kernels& kernels : available_kernels()) {

@@ -1,6 +1,6 @@
-// Shading normals that lean off their face, by closed forms and by integrators that must agree: two squares at a right
-// angle, the one a mesh whose normals lean towards the other. Without what light paths owe (scattering.h) the photon
-// mapper is 26 % too bright at 20 degrees and 76 % at 45.
+// Shading normals that differ from their face's, by closed forms and by integrators that must agree. The scene is two
+// squares at a right angle; one is a mesh whose normals tilt towards the other. Without the correction of light paths
+// (scattering.h) the photon mapper is 26 % too bright at 20 degrees and 76 % at 45.
 
 #include <gtest/gtest.h>
 
@@ -15,12 +15,12 @@
 namespace photonproof::inline renderer_integrators {
 namespace {
 
-/// Of harness/oracles/tilted_floor.py: mean over the one square of (1/pi) int cos cos / d^2 over the other, and the
-/// same for the direction across its edge in place of its normal.
+/// Values from harness/oracles/tilted_floor.py. `view_factor` is the mean over one square of (1/pi) int cos cos / d^2
+/// over the other. `sideways` is the same for the direction across the square's edge in place of its normal.
 constexpr double view_factor = 0.200044, sideways = 0.305344;
 constexpr double floor_albedo = 0.6, wall_albedo = 0.8, irradiance = 3;
 
-/// 0 < x, y < 1 at z = 0, facing up, with normals that lean by that angle towards +x.
+/// The square 0 < x, y < 1 at z = 0, facing up, with normals that tilt by that angle towards +x.
 std::shared_ptr<const TriangleMesh> leaning_floor(double degrees) {
   const double a = degrees * std::numbers::pi / 180;
   auto mesh = std::make_shared<TriangleMesh>();
@@ -34,8 +34,8 @@ std::shared_ptr<const TriangleMesh> leaning_floor(double degrees) {
   return mesh;
 }
 
-/// The leaning floor and a wall at x = 1 that faces it; light from a light that reaches one of them, the camera at the
-/// other. Paths are light, one square, the other, camera.
+/// The tilted floor and a wall at x = 1 that faces it. The light reaches one of them, the camera sees the other. Paths
+/// are light, one square, the other, camera.
 SceneDescription squares(double degrees, const Vec3d& light, const Transform& camera) {
   SceneDescription d;
   const BsdfIndex below = test::add_bsdf(d, DiffuseDescription{RgbD(floor_albedo)});
@@ -68,9 +68,9 @@ double photons_of_radius(SceneDescription scene, double radius, std::int64_t pho
   static_cast<PathLimits&>(method) = scene.integrator.limits();
   method.global_radius = method.caustic_radius = radius;
   scene.integrator.method = method;
-  return mean_by(scene, "photonmapper", 256, 4 * photons);  // of discs this small every sample counts
+  return mean_by(scene, "photonmapper", 256, 4 * photons);  // with discs this small every sample counts
 }
-/// As the radius goes to 0, from two radii: edges lose in proportion to it.
+/// Extrapolates to radius 0 from two radii: the loss at edges is in proportion to the radius.
 double photons_at_radius_zero(const SceneDescription& scene, double radius, std::int64_t photons) {
   return 2 * photons_of_radius(scene, radius / 2, photons) - photons_of_radius(scene, radius, photons);
 }
@@ -90,9 +90,8 @@ void expect_mean(const SceneDescription& scene, double expected, double radius, 
 class LeaningNormals : public testing::TestWithParam<int> {};
 
 TEST_P(LeaningNormals, the_light_they_reflect_is_the_closed_form) {
-  // The floor's radiance is albedo E cos a / pi wherever it is seen from, so that the wall's is the view factor's part
-  // of it. Standard errors: 0.3 % of the photons' mean, 0.6 % of the light
-  // tracer's.
+  // The floor's radiance is albedo E cos a / pi in all directions; the wall receives the view factor's share of it.
+  // Standard errors: 0.3 % of the photons' mean, 0.6 % of the light tracer's.
   const double degrees = GetParam(), a = degrees * std::numbers::pi / 180;
   const double expected = wall_albedo * view_factor * floor_albedo * irradiance * std::cos(a) / std::numbers::pi;
   const SceneDescription scene = wall_by_floor(degrees);
@@ -100,17 +99,17 @@ TEST_P(LeaningNormals, the_light_they_reflect_is_the_closed_form) {
 }
 
 TEST_P(LeaningNormals, the_light_they_gather_is_the_closed_form) {
-  // The wall's radiance is albedo E / pi; of it the floor gathers what its shading normal sees.
+  // The wall's radiance is albedo E / pi; the floor gathers the share that its shading normal sees.
   const double degrees = GetParam(), a = degrees * std::numbers::pi / 180;
   const double expected =
       floor_albedo * (view_factor * std::cos(a) + sideways * std::sin(a)) * wall_albedo * irradiance / std::numbers::pi;
   const SceneDescription scene = floor_by_wall(degrees);
-  expect_mean(scene, expected, 0.02, 1'000'000);  // at a mesh's edges gathers lose
+  expect_mean(scene, expected, 0.02, 1'000'000);  // gathers lose light at a mesh's edges
 }
 
 INSTANTIATE_TEST_SUITE_P(degrees, LeaningNormals, testing::Values(0, 20, 45, 60));
 
-/// 8 x 8 normals, no two alike, that lean up to 75 degrees.
+/// A map of 8 x 8 different normals that tilt by up to 75 degrees.
 BitmapDescription rough_normals() {
   auto image = std::make_shared<Image>(8, 8);
   for (int i = 0; i < 64; ++i) {
@@ -128,7 +127,7 @@ BitmapDescription rough_normals() {
 class MappedFloor : public testing::TestWithParam<MappedNormalsDescription> {};
 
 TEST_P(MappedFloor, is_the_same_to_all_integrators) {
-  // The floor lights the wall; and the floor is lit, by the light from a slant and by the wall, and seen from a slant,
+  // The floor lights the wall. The floor is also lit, by the light at a slant and by the wall, and seen at a slant,
   // where many normals are turned away. Mirroring them is 20 % of the light, shadowing 9 %. Standard errors are 0.2 %
   // of bdpt's mean, 0.3 % of the photons' and 0.6 % of the light tracer's.
   SceneDescription scenes[] = {wall_by_floor(0), squares(0, normalize(Vec3d(1, 0, -0.3)),
@@ -157,9 +156,9 @@ INSTANTIATE_TEST_SUITE_P(options, MappedFloor,
                          });
 
 TEST(leaning_normals, of_a_light_do_not_emit) {
-  // The floor is the light, and the wall's radiance is albedo times the view factor's part of the floor's, whichever
-  // way the floor's shading normals lean: cosines to those would be 42 % more or 80 % less, their side dark for part of
-  // it.
+  // The floor is the light. The wall's radiance is albedo times the view factor's share of the floor's, whichever way
+  // the floor's shading normals tilt. Cosines to those normals would give 42 % more or 80 % less, with their side
+  // partly dark.
   for (const double degrees : {-45.0, 45.0}) {
     SceneDescription scene = wall_by_floor(degrees);
     scene.emitters.clear();
@@ -174,7 +173,7 @@ TEST(leaning_normals, of_a_light_do_not_emit) {
     scene.integrator.method = by_hits;
     EXPECT_NEAR(mean_by(scene, "direct", 512) / expected, 1, 0.01) << degrees;
   }
-  // Photons of the light, by the wall, back on the floor, beside the light's own radiance of 1, which the camera sees
+  // Photons go from the light to the wall and back to the floor. The camera also sees the light's own radiance of 1
   // everywhere; standard error 0.6 %.
   SceneDescription scene = floor_by_wall(45);
   scene.emitters.clear();
@@ -184,7 +183,7 @@ TEST(leaning_normals, of_a_light_do_not_emit) {
 }
 
 TEST(twosided_floor, keeps_the_photons_of_its_two_sides_apart) {
-  // The wall below lights the floor's back; seen from the front it is black.
+  // The wall below lights the floor's back; seen from the front the floor is black.
   SceneDescription scene = floor_by_wall(0);
   scene.shapes[0].bsdf = test::add_bsdf(scene, TwoSidedDescription{scene.shapes[0].bsdf, scene.shapes[0].bsdf});
   scene.shapes[1].to_world = Transform::translate({0, 0, -1}) * scene.shapes[1].to_world;

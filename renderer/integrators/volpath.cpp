@@ -1,9 +1,9 @@
 // Path tracing of the radiative transfer equation (Chandrasekhar 1960; Kajiya and Von Herzen 1984) in homogeneous
-// media, unbiased: distances are drawn from the extinction, at every scattering a light is sampled through the media
-// and null surfaces between, and what directions find by themselves is weighted against that (power heuristic, Veach
-// 1997). Media that only absorb take their part of the throughput without a random number. As in Mitsuba's volpath,
-// surfaces that light goes straight through are no path vertices: they do not count as depth, and light sampling passes
-// them. Lights that are hidden from the camera are none either, up to the first vertex.
+// media, unbiased. Distances are sampled from the extinction. Every scattering samples a light through the media and
+// null surfaces between. The power heuristic (Veach 1997) weights this against the lights that sampled directions meet.
+// Media that only absorb scale the throughput without a random number. As in Mitsuba's volpath, surfaces that light
+// passes straight through are no path vertices: they add no depth, and light sampling passes them. The same holds for
+// lights that are hidden from the camera, up to the first vertex.
 
 #include "renderer/integrators/volpath.h"
 
@@ -14,7 +14,8 @@
 namespace photonproof::inline renderer_integrators {
 namespace {
 
-/// What the draws are for. A path's steps are its straight pieces; a light's segment has its own, far beyond.
+/// Uses of random numbers. A path's steps are its straight pieces; a light's segment has numbers of its own, far
+/// beyond.
 namespace volpath_dimension {
 constexpr std::uint32_t in_pixel = 0, lens = 1;
 constexpr std::uint32_t first_step = 4, of_step = 9;
@@ -39,7 +40,7 @@ class VolumetricTracer : ScalarTracer {
     if (!first) return Rgb(0.0f);
     Path h;
     h.ray = *first;
-    bool from_camera = true;  // nothing but hidden lights has been met
+    bool from_camera = true;  // only hidden lights met so far
     h.surroundings = around_camera_;
     ++work.rays.camera;
     for (std::uint32_t step = 0;; ++step) {
@@ -65,13 +66,13 @@ class VolumetricTracer : ScalarTracer {
     Ray ray;
     Surroundings surroundings;
     Rgb throughput{1, 1, 1}, radiance{0, 0, 0};
-    float refraction_scale = 1;  ///< undoes the squared index ratios in the throughput, for roulette
-    std::uint32_t depth = 0;     ///< scatterings so far
-    Vec3f scattered_at;          ///< where the last one was
-    float pdf = 0;               ///< with which it drew the direction; 0 where light sampling had no part in it
+    float refraction_scale = 1;  ///< Undoes the squared index ratios in the throughput, for roulette.
+    std::uint32_t depth = 0;     ///< Number of scatterings so far.
+    Vec3f scattered_at;          ///< Position of the last scattering.
+    float pdf = 0;               ///< Density of its sampled direction; 0 where light sampling had no part in it.
   };
 
-  /// Takes from the throughput what the medium on the way does; a distance where the path scatters in it.
+  /// Applies the medium's transmittance to the throughput. Returns a distance where the path scatters in the medium.
   std::optional<float> cross_medium(Path& h, float distance, bool met, std::uint32_t step,
                                     const PathSampler& draws) const {
     if (h.surroundings.medium() == no_index) return std::nullopt;
@@ -146,7 +147,7 @@ class VolumetricTracer : ScalarTracer {
     h.radiance += h.throughput * emitted * weight;
   }
 
-  /// Nothing follows.
+  /// Adds the environment's radiance; the path ends.
   bool meet_environment(Path& h) const {
     if (!lights_->environment() || (h.depth == 0 && limits_.hide_emitters)) return false;
     const Vec3f& direction = h.ray.direction;

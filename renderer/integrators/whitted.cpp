@@ -1,7 +1,7 @@
-// Ray tracing after Whitted (1980), "An Improved Illumination Model for Shaded Display": mirrors and both branches of
-// smooth dielectrics are followed, everything else gets direct light alone, from one point of each light a sample. No
-// light goes from diffuse surface to diffuse surface, and none through glass or by mirrors to diffuse ones. Branches
-// end at max_depth edges, and where they could change the pixel by less than `faint` of what the branch sees.
+// Ray tracing after Whitted (1980), "An Improved Illumination Model for Shaded Display". It follows mirrors and both
+// branches of smooth dielectrics. Other surfaces get direct light alone, from one point of each light a sample. No
+// light goes between diffuse surfaces, nor through glass or by mirrors to diffuse ones. Branches end at max_depth
+// edges, and where they could change the pixel by less than `faint` of their radiance.
 
 #include "renderer/integrators/whitted.h"
 
@@ -14,7 +14,7 @@ namespace photonproof::inline renderer_integrators {
 namespace {
 
 constexpr float faint = 1.0f / 1024;
-constexpr int deepest = 64;  ///< of unlimited branches: two facing mirrors of reflectance 1 never get faint
+constexpr int deepest = 64;  ///< limit of unlimited branches: two facing mirrors of reflectance 1 never get faint
 
 namespace whitted_dimension {
 constexpr std::uint32_t in_pixel = 0, lens = 1, first_hit = 2;
@@ -39,7 +39,7 @@ class WhittedTracer : ScalarTracer {
  private:
   struct Edge {
     std::uint32_t number;
-    bool straight;  ///< as the camera's ray
+    bool straight;  ///< no deflection since the camera
   };
 
   /// Radiance along a ray, times throughput.
@@ -64,7 +64,7 @@ class WhittedTracer : ScalarTracer {
     if (!within(edges + 1)) return radiance;
     if (has_smooth(at.bsdf)) radiance += throughput * direct_light(at, wo, draws, dimension, work);
 
-    // The lobes of a BSDF share [0,1) among them: its ends give every delta lobe of the kinds there are.
+    // The lobes of a BSDF share [0,1): its ends select every delta lobe that any kind has.
     std::array<Scattered, 2> lobes{scatter(at, wo, 0.0f, {0.5f, 0.5f}, TransportMode::radiance),
                                    scatter(at, wo, 1 - 0x1p-24f, {0.5f, 0.5f}, TransportMode::radiance)};
     if (lobes[0].valid && lobes[1].valid && lobes[0].delta && lobes[1].delta &&
@@ -72,7 +72,7 @@ class WhittedTracer : ScalarTracer {
       lobes[1].valid = false;
     for (const Scattered& lobe : lobes) {
       if (!lobe.valid || !lobe.delta) continue;
-      const Rgb on = throughput * lobe.weight * lobe.pdf;  // the choice of the lobe taken back
+      const Rgb on = throughput * lobe.weight * lobe.pdf;  // without the probability of choosing the lobe
       if (max_component(on) < faint) continue;
       ++work.rays.bounce;
       radiance += follow(scene_interface_.leave(at, lobe.wi), on, {edges + 1, edge.straight && lobe.straight}, draws,

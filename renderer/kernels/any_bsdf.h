@@ -1,11 +1,11 @@
-// A BSDF whose kind the code that asks it does not know.
+// A BSDF whose kind is not known to the code that calls it.
 #pragma once
 
 #include "renderer/lanes/lane.h"
 
 namespace photonproof::inline renderer_kernels {
 
-/// Valid as long as the BSDF it was made of.
+/// Valid as long as the BSDF it refers to.
 template <class F>
 struct AnyBsdf {
   const void* bsdf;

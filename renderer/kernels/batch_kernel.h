@@ -1,8 +1,8 @@
-// The life of a batch, the same for camera paths and photons. While there is work:
-//   refill         free rows get new paths
-//   meet_surfaces  rays of a pack find where they end; lanes that go on wait in the queue of their surface's BSDF kind
-//   shade<Kind>    packs of one kind; survivors go to the next round's batch
-// Packs are always taken from the front of a batch or queue, so all but the last are full, however paths end.
+// The life of a batch, the same for camera paths and photons. A round has three steps, repeated while there is work.
+//   `refill`         Free rows get new paths.
+//   `meet_surfaces`  Finds where rays of a pack end. Lanes that go on wait in the queue of their surface's BSDF kind.
+//   `shade<Kind>`    Shades packs of one kind. Survivors go to the next round's batch.
+// Packs are always taken from the front of a batch or queue, so only the last has empty lanes, however paths end.
 #pragma once
 
 #include <array>
@@ -33,8 +33,8 @@ struct AtSurface {
   }
 };
 
-/// Paths under way, and services that do not depend on who follows them. `Path` is the state between surfaces,
-/// `mode` what paths carry.
+/// Paths in progress, and services common to all kernels. `Path` is the state between surfaces, `mode` what paths
+/// transport.
 template <template <class> class AnyPathState, TransportMode mode, class F>
 class BatchQueues {
  protected:
@@ -58,7 +58,7 @@ class BatchQueues {
         next_(scratch + Batch::words(capacity), capacity),
         queues_(make_queues(scratch + 2 * Batch::words(capacity), std::make_index_sequence<BsdfKinds::count>())) {}
 
-  /// Lets lanes wait until their BSDF's kind is shaded. `draw_choice()` is uniform in [0,1), for detail_at.
+  /// Queues lanes until their BSDF's kind is shaded. `draw_choice()` is uniform in [0,1), for detail_at.
   template <class Draw>
   void wait(Waiting<F>&& state, const Mask<F>& alive, Draw&& draw_choice) {
     if (scene_.detailed) {
@@ -75,8 +75,8 @@ class BatchQueues {
   UInt<F> surface_word(const UInt<F>& surface, std::uint32_t SurfaceWords::*word) const {
     return gather(&(scene_.surfaces->*word), UInt<F>(surface * SurfaceWords::stride));
   }
-  /// What waiting lanes are shaded with; `at.surface` is their surface from here on, with what photons and gathers
-  /// must have in common (MappedNormals).
+  /// The BSDF of waiting lanes. From here on `at.surface` is their surface, with the bits in which photons and gathers
+  /// must agree (MappedNormals).
   template <template <class> class Kind>
   ScatteringBsdf<Kind<F>, F> scattering_at(Waiting<F>& at, const Mask<F>& active) const {
     const UInt<F> valid = select(active, at.surface, UInt<F>(0u));
@@ -137,7 +137,7 @@ class BatchQueues {
       if ((scene_.bsdf_kinds >> k & 1u) != 0) queues_[k].append(state, alive && equal<F>(kind, UInt<F>(k)));
   }
 
-  /// Looks the lanes' details up, lets `state.surface` number them and returns the kinds of their BSDFs.
+  /// Evaluates the lanes' details, numbers them in `state.surface` and returns the kinds of their BSDFs.
   UInt<F> add_details(Waiting<F>& state, const Mask<F>& alive, const F& u_choice) {
     const auto spread = [](const auto& value, auto* to) { store_from(value, to); };
     float p[3][width], normal[3][width], direction[3][width], u[width];
@@ -166,13 +166,12 @@ class BatchQueues {
     return kinds;
   }
 
-  std::array<SurfaceDetail, capacity> details_;  ///< of the round's waiting lanes, in detailed scenes
+  std::array<SurfaceDetail, capacity> details_;  ///< details of the round's waiting lanes, in detailed scenes
   std::size_t detail_count_ = 0;
 };
 
-/// Follows paths to their ends. `Steps` is a BatchQueues or derives from one. Self offers
-/// refill(path, first, lanes), which says which of the lanes begin a path, meet_surfaces(path, active) and
-/// shade<Kind>(at_surface, active).
+/// Follows paths to their ends. `Steps` is a BatchQueues or derives from one. Self has refill(path, first, lanes),
+/// which returns the lanes that begin a path, meet_surfaces(path, active) and shade<Kind>(at_surface, active).
 template <class Self, class Steps>
 class BatchKernel : public Steps {
   using F = typename Steps::Value;

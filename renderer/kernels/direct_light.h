@@ -1,4 +1,4 @@
-// Next-event estimation for a pack: one light, one point of it, one shadow ray a lane.
+// Next-event estimation for a pack: one light, one point on it, one shadow ray per lane.
 #pragma once
 
 #include "renderer/core/ray_counts.h"
@@ -16,9 +16,8 @@ F mis_weight(const F& pdf, const F& other) {
   return select(pdf > 0, 1 / mul_add(ratio, ratio, F(1.0f)), F(0.0f));
 }
 
-/// Radiance reflected towards wo from one sample of one light. With `weighted` the sample carries its MIS weight
-/// against BSDF sampling; otherwise it stands alone. Shadow rays are only traced where the BSDF and both cosines leave
-/// light.
+/// Radiance reflected towards wo from one sample of one light. With `weighted` the sample has its MIS weight against
+/// BSDF sampling; otherwise it stands alone. Shadow rays are only traced where the BSDF and both cosines are not 0.
 template <class F, class B>
 Vec3<F> estimate_direct(const SceneView& scene, const SurfaceHit<F>& hit, const B& bsdf, const Frame<F>& frame,
                         const Vec3<F>& wo_local, bool weighted, const F& u_choice, const Vec2<F>& u_point,

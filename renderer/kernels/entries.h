@@ -1,6 +1,5 @@
-// What a source of kernels offers for the instruction set it is compiled for: tables, in a namespace that
-// PHOTONPROOF_KERNELS names (renderer/CMakeLists.txt). PHOTONPROOF_SCALAR makes it the one-lane form, the definition of
-// the others.
+// Tables of a kernel source for the instruction set it is compiled for, in a namespace named by PHOTONPROOF_KERNELS
+// (renderer/CMakeLists.txt). PHOTONPROOF_SCALAR makes it the one-lane form, the definition of the others.
 #pragma once
 
 #include "renderer/kernels/tasks.h"

@@ -1,4 +1,4 @@
-// What photons bring to the points of a gather queue.
+// Adds the light of photons to the points of a gather queue.
 
 #include "renderer/kernels/entries.h"
 #include "renderer/photons/photon_gather.h"

@@ -1,5 +1,5 @@
-// Where camera paths wait for the light of photons: a queue in columns. The path kernel leaves points in it, the gather
-// kernel looks their photons up and adds what these bring to the paths' radiance.
+// Points of camera paths that wait for the light of photons: a queue in columns. The path kernel adds points, the
+// gather kernel gathers their photons and adds their light to the paths' radiance.
 #pragma once
 
 #include <cstddef>
@@ -11,18 +11,18 @@
 
 namespace photonproof::inline renderer_kernels {
 
-/// A new column is a member and its place in zip_gather_points; only who makes it and who reads it need to know.
+/// A new column is a member and its place in zip_gather_points; only the code that fills or reads it must change.
 template <template <class> class Column>
 struct GatherColumns {
-  // Of the path:
-  Column<float> x, y, z;                                     ///< position, world
-  Column<float> weight_red, weight_green, weight_blue;       ///< throughput x f: radiance is weight x irradiance
-  Column<std::uint32_t> path, surface, edges, surface_side;  ///< edges: of the camera path; surface side: side_word
-  // Of the gather in a map:
+  // Members of the path.
+  Column<float> x, y, z;                                     ///< Position, world.
+  Column<float> weight_red, weight_green, weight_blue;       ///< Throughput x f: radiance is weight x irradiance.
+  Column<std::uint32_t> path, surface, edges, surface_side;  ///< The camera path's edges; surface_side: side_word.
+  // Members of the gather in a map.
   Column<float> radius;
-  Column<float> flux_red, flux_green, flux_blue;  ///< found, W
-  Column<std::uint32_t> found;                    ///< photons
-  Column<float> area;                             ///< what the flux is divided by; 0 where nothing was found
+  Column<float> flux_red, flux_green, flux_blue;  ///< Gathered, W.
+  Column<std::uint32_t> found;                    ///< Number of photons.
+  Column<float> area;                             ///< Divisor of the flux; 0 where nothing was found.
 };
 
 /// Calls f with one column after the other of all records.
@@ -43,7 +43,7 @@ struct GatherPoints : GatherColumns<Pointer> {
   std::size_t count = 0;
 };
 
-/// A point that waits, for the host.
+/// A waiting point, for the host.
 struct GatherPoint {
   Vec3f p;
   Rgb weight;
@@ -54,12 +54,12 @@ class GatherQueue {
  public:
   explicit GatherQueue(std::size_t capacity) { reserve(capacity); }
 
-  /// Makes room for so many in all; views of before are of no use after it.
+  /// Makes room for this many points in all; earlier views become invalid.
   void reserve(std::size_t capacity) {
     zip_gather_points([&](auto& column) { column.resize(capacity + slack); }, columns_);
   }
   std::size_t size() const { return count_; }
-  /// After a kernel has left so many.
+  /// Sets the number of points after a kernel has added some.
   void set_size(std::size_t count) { count_ = count; }
   GatherPoints view() {
     GatherPoints view{};
@@ -98,7 +98,7 @@ class GatherQueue {
   }
 
  private:
-  static constexpr std::size_t slack = 16;  ///< that a pack may touch beyond the last point
+  static constexpr std::size_t slack = 16;  ///< points that a pack may touch beyond the last one
   GatherColumns<LargeArray> columns_;
   std::size_t count_ = 0;
 };

@@ -1,4 +1,4 @@
-// Lights that need tables as one more kind of light_kinds.h: packs ask scene_lights.h, one lane after the other.
+// Lights that need tables as one more kind of light_kinds.h: packs call scene_lights.h, one lane after the other.
 #pragma once
 
 #include "renderer/lanes/lane_records.h"
@@ -6,7 +6,7 @@
 
 namespace photonproof::inline renderer_kernels {
 
-/// Each lane's own light; what other lanes than `lanes` ask is answered by zeros.
+/// Each lane's own light; the answer is zeros in lanes outside `lanes`.
 template <class F>
 class GeneralLight {
  public:
@@ -22,7 +22,7 @@ class GeneralLight {
     return ask<F>(
         [&](std::uint32_t light, std::size_t i) { return lights_.pdf_of(light, lane_of(p, i), lane_of(at, i)); });
   }
-  /// Guided, where the scene's are, whatever the light's kind.
+  /// Guided where the scene's lights are, for every kind of light.
   Emission<F> emit(const Vec2<F>& u_position, const Vec2<F>& u_direction) const {
     return ask<Emission<F>>([&](std::uint32_t light, std::size_t i) {
       return Emission<float>(lights_.start_of(light, lane_of(u_position, i), lane_of(u_direction, i)));
@@ -33,7 +33,7 @@ class GeneralLight {
       return lights_.flux_towards(light, lane_of(at, i), lane_of(direction, i));
     });
   }
-  /// From points that rays met.
+  /// Radiance leaving points that rays met.
   Vec3<F> leaving(const LightPoint<F>& at, const Vec3<F>& direction) const {
     return ask<Vec3<F>>([&](std::uint32_t light, std::size_t i) {
       return lights_.radiance(light, lights_.with_uv(light, lane_of(at, i)), lane_of(direction, i));

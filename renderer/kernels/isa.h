@@ -1,4 +1,4 @@
-// Which instruction set's kernels run. All are in the program; the best one the processor has is the default.
+// The choice of the kernels' instruction set. The program contains all; the best one of the processor is the default.
 #pragma once
 
 #include <string>
@@ -8,10 +8,11 @@
 
 namespace photonproof::inline renderer_kernels {
 
-/// Those this processor can run, best first; the last is always "scalar", one lane, the definition of the others.
+/// The kernels that this processor can run, best first; the last is always "scalar", one lane, which defines the
+/// others.
 const std::vector<Kernels>& available_kernels();
 
-/// The kernels of that name; an empty name asks for the best. Throws InputError naming those there are.
+/// The kernels of that name; an empty name means the best. Throws InputError listing the available ones.
 const Kernels& kernels_for(const std::string& isa);
 
 }  // namespace photonproof::inline renderer_kernels

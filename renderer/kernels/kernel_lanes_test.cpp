@@ -22,7 +22,7 @@ namespace {
 
 using namespace test;
 
-// --- every kind of BSDF and light, whatever it is made of ------------------------------------------------------------
+// --- every kind of BSDF and light, with any parameters ---------------------------------------------------------------
 
 TEST(lanes, every_bsdf_agrees) {
   BsdfKinds::for_each([]<template <class> class Kind>(std::uint32_t kind) {
@@ -53,7 +53,7 @@ TEST(lanes, every_bsdf_agrees) {
             const Vec3f wo = test::direction(random), wi = test::direction(random);
             in[record] = wo.x, in[record + 1] = wo.y, in[record + 2] = wo.z;
             in[record + 3] = wi.x, in[record + 4] = wi.y, in[record + 5] = wi.z;
-            // Not the very ends, where facets of GGX lie flat but for rounding.
+            // The very ends are left out: facets of GGX lie flat there up to rounding.
             for (std::size_t k = record + 6; k < n; ++k) in[k] = random.next();
             return in;
           },
@@ -62,8 +62,8 @@ TEST(lanes, every_bsdf_agrees) {
   });
 }
 
-/// As lights are compiled: the normal is that of the edges, disks are round, and heights are told by the corner or
-/// centre or by an offset.
+/// Makes a light as the compiler does: the normal is that of the edges, disks are round, and heights follow from the
+/// corner or centre or from an offset.
 template <class Light>
 void make_whole(Light& light, bool by_corner) {
   if constexpr (requires { light.edge_u; }) {
@@ -95,19 +95,19 @@ TEST(lanes, every_light_agrees) {
       const LightPoint<F> at{q, normal};
       std::array<F, 48> out;
       std::size_t k = 0;
-      for (const F& word : words_of<16, F>(light.sample(p, u))) out[k++] = word;
-      for (const F& word : words_of<20, F>(light.emit(u, v))) out[k++] = word;
+      for (const F& word : lane_words<16, F>(light.sample(p, u))) out[k++] = word;
+      for (const F& word : lane_words<20, F>(light.emit(u, v))) out[k++] = word;
       for (const F& word : words(light.flux())) out[k++] = word;
       for (const F& word : words(light.leaving(at, q))) out[k++] = word;
       for (const F& word : words(light.flux_towards(at, q))) out[k++] = word;
-      for (const F& word : words_of<2, F>(light.emit_pdfs(at, q))) out[k++] = word;
+      for (const F& word : lane_words<2, F>(light.emit_pdfs(at, q))) out[k++] = word;
       out[k++] = light.pdf(p, light.sample(p, v).at);
       return out;
     };
     expect_lanes_agree<n, 48>("light " + std::to_string(kind), f, [](Random& random) {
       Floats<n> in;
-      // Lights of any size, and points near them: had each number a size of its own, edges would nearly be parallel and
-      // points lie in the light's plane but for rounding.
+      // Lights of any size, and points near them. With independent sizes for all numbers, edges would be nearly
+      // parallel, and points would lie in the light's plane up to rounding.
       const float size = random.next() < 0.5f ? 1.0f : anything(random);
       for (float& v : in) v = size * (4 * random.next() - 2);
       auto light = record_of<Kind<float>>(&in[0]);
@@ -127,7 +127,7 @@ TEST(lanes, records_of_every_kind_are_gathered_whole) {
     constexpr std::size_t record = sizeof(Kind<float>) / sizeof(float);
     LaneBits index;
     for (std::size_t lane = 0; lane < width; ++lane) index[lane] = static_cast<std::uint32_t>(100 * random.next());
-    const auto packed = words_of<record, Lanes>(gather_record<Kind, Lanes>(table.data(), index, BsdfKinds::stride));
+    const auto packed = lane_words<record, Lanes>(gather_record<Kind, Lanes>(table.data(), index, BsdfKinds::stride));
     for (std::size_t lane = 0; lane < width; ++lane)
       for (std::size_t k = 0; k < record; ++k) EXPECT_EQ(packed[k][lane], table[index[lane] * BsdfKinds::stride + k]);
   });
@@ -168,7 +168,7 @@ TEST(lanes, single_lanes_of_a_record_are_its_words_in_that_lane) {
     EXPECT_EQ(packed.normal.z[i], points[i].normal.z);
     EXPECT_EQ(packed.uv.y[i], points[i].uv.y);
     EXPECT_EQ(packed.triangle[i], points[i].triangle);
-    EXPECT_EQ((words_of<9, float>(lane_of(packed, i))), (words_of<9, float>(points[i])));
+    EXPECT_EQ((lane_words<9, float>(lane_of(packed, i))), (lane_words<9, float>(points[i])));
   }
 }
 
@@ -202,7 +202,7 @@ TEST(lanes, lights_that_need_tables_answer_for_every_lane) {
     const std::uint32_t deltas = to_bits(general.is_delta()), infinite = to_bits(general.is_infinite());
     for (std::size_t i = 0; i < width; ++i) {
       if (!(direction.x[i] > 0)) {
-        EXPECT_EQ((words_of<16, float>(lane_of(sample, i))), (words_of<16, float>(LightSample<float>{})));
+        EXPECT_EQ((lane_words<16, float>(lane_of(sample, i))), (lane_words<16, float>(LightSample<float>{})));
         continue;
       }
       const SceneLights& all = lights.scene;
@@ -210,8 +210,8 @@ TEST(lanes, lights_that_need_tables_answer_for_every_lane) {
       const Vec3f from = lane_of(p, i), d = lane_of(direction, i);
       const LightSample<float> seen = all.sample_of(light[i], from, lane_of(u, i));
       const Emission<float> start = all.start_of(light[i], lane_of(u, i), lane_of(v, i));
-      EXPECT_EQ((words_of<16, float>(lane_of(sample, i))), (words_of<16, float>(seen)));
-      EXPECT_EQ((words_of<20, float>(lane_of(emission, i))), (words_of<20, float>(start)));
+      EXPECT_EQ((lane_words<16, float>(lane_of(sample, i))), (lane_words<16, float>(seen)));
+      EXPECT_EQ((lane_words<20, float>(lane_of(emission, i))), (lane_words<20, float>(start)));
       EXPECT_EQ(lane_of(leaving, i), all.radiance(light[i], all.with_uv(light[i], there), d));
       EXPECT_EQ(lane_of(towards, i), all.flux_towards(light[i], there, d));
       EXPECT_EQ(pdf[i], all.pdf_of(light[i], from, there));

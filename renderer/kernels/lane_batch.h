@@ -1,4 +1,4 @@
-// Paths under way, as structure of arrays: one column a word of state, one row a lane. A pack of rows is loaded,
+// Paths in progress as a structure of arrays: one column per word of state, one row per lane. A pack of rows is loaded,
 // advanced, and its survivors are appended to another batch, so that packs stay full.
 #pragma once
 
@@ -9,8 +9,8 @@
 
 namespace photonproof::inline renderer_kernels {
 
-/// State<F> offers columns(state, visit): visit(member) for every member that is an F or a UInt<F>, always in the same
-/// order. Memory belongs to the caller.
+/// State<F> has columns(state, visit), which calls visit(member) for every member that is an F or a UInt<F>, always in
+/// the same order. The caller owns the memory.
 template <template <class> class State, class F>
 class LaneBatch {
   static_assert(sizeof(State<F>) == State<F>::column_count * sizeof(F), "column_count is not the number of columns");

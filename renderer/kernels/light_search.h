@@ -1,14 +1,14 @@
-// Camera paths of a pilot (camera_pilot.h), which says where ordinary ones would rarely meet a light.
+// Camera paths of a pilot (camera_pilot.h), which finds where ordinary paths would rarely meet a light.
 //
-// Rare by its lobes: smooth interfaces reflect as often as they refract. With q = 1/2 for p, the probability of the
-// lobe, a path of value X has the weight p/q; it is multiplied by sqrt(p/q) instead, so that the mean of its square is
-// that of ordinary samples: sum q (sqrt(p/q) X)^2 = sum p X^2.
+// Rare by its lobes: smooth interfaces reflect as often as they refract. Let p be the probability of the lobe. Chosen
+// with q = 1/2 instead, a path of value X has the weight p/q. It is multiplied by sqrt(p/q) instead, so that the mean
+// of its square is that of ordinary samples: sum q (sqrt(p/q) X)^2 = sum p X^2.
 //
-// Rare by its size: of the ball of a light, d from a ray's nearest point and of radius r < d, the ray is worth r/d of
-// what it would show inside: with n samples that fall evenly around the light the nearest one has about one to itself
-// of (d/r)^2 discs of it, and its square over n is the mean square of all again.
+// Rare by its size: the light is a ball of radius r at a distance d > r from a ray's nearest point. The ray counts r/d
+// of its value inside the ball. Of n samples spread evenly around the light, the nearest one stands for an area of
+// about (d/r)^2 discs of the ball. So the square of its value over n is again the mean square of all.
 //
-// Red and green of such a path are what it met, blue the most that it came near to.
+// Red and green of such a path are the light that it met, blue the largest value that it came near to.
 #pragma once
 
 #include "renderer/kernels/tasks.h"
@@ -16,8 +16,8 @@
 
 namespace photonproof::inline renderer_kernels {
 
-/// Of an interface that reflects the part `reflected` and asks whether u < reflected: makes u, uniform in [0,1), choose
-/// either lobe with probability 1/2, and returns sqrt(p/q) of the one it chooses. Where there is but one, nothing
+/// Replaces the choice u < reflected at an interface that reflects the part `reflected`. It changes u, uniform in
+/// [0,1), so that either lobe has probability 1/2, and returns sqrt(p/q) of the chosen one. With a single lobe nothing
 /// changes.
 template <class F>
 F even_lobes(const F& reflected, F& u) {

@@ -1,4 +1,4 @@
-// The scene's lights for a pack: which one, a point of it, the density with which that point would have been drawn.
+// The scene's lights for a pack: choosing one, a point on it, and the density with which a point would be sampled.
 #pragma once
 
 #include <cstring>
@@ -14,7 +14,7 @@ namespace photonproof::inline renderer_kernels {
 
 inline bool has_general_lights(const SceneView& scene) { return (scene.light_kinds >> general_light_kind & 1u) != 0; }
 
-/// The record of a chosen light. A single one is the same in every lane: nothing to gather.
+/// The record of a chosen light. A single light is the same in every lane, so it needs no gather.
 template <template <class> class Kind, class F>
 Kind<F> light_record(const SceneView& scene, const UInt<F>& light) {
   if (!scene.one_light) return gather_record<Kind, F>(scene.lights, light, LightKinds::stride);
@@ -26,8 +26,8 @@ Kind<F> light_record(const SceneView& scene, const UInt<F>& light) {
   return record;
 }
 
-/// Calls visit(light of F, lanes of that kind) for the kinds that occur among the active lanes' lights; those that need
-/// tables are one kind, GeneralLight.
+/// Calls visit(light of F, lanes of that kind) for the kinds that occur among the active lanes' lights. Lights that
+/// need tables are one kind, GeneralLight.
 template <class F, class Visit>
 void for_each_light_kind(const SceneView& scene, const UInt<F>& light, const Mask<F>& active, Visit&& visit) {
   UInt<F> kind(0u);
@@ -54,7 +54,7 @@ LightSampling<F> choose_light(const SceneView& scene, const F& u) {
   return choose_by_flux(scene.light_words, scene.light_count, u);
 }
 
-/// Picks a light for next-event estimation at p; its probability is 0 where none could shine.
+/// Chooses a light for next-event estimation at p; its probability is 0 where none can shine.
 template <class F>
 LightSampling<F> choose_light(const SceneView& scene, const Vec3<F>& p, const Mask<F>& active, const F& u) {
   if (!scene.lights_by_position) return choose_light(scene, u);
@@ -72,8 +72,8 @@ F choice_probability(const SceneView& scene, const UInt<F>& light, const Mask<F>
   });
 }
 
-/// A point of a light for every lane, the choice of the light not in its density. `findable`: lanes where a ray could
-/// find it too.
+/// A sampled point of a light for every lane; its density excludes the choice of the light. `findable`: lanes where a
+/// ray could find it, too.
 template <class F>
 LightSample<F> sample_light(const SceneView& scene, const UInt<F>& light, const Mask<F>& active, const Vec3<F>& p,
                             const Vec2<F>& u, Mask<F>& findable) {
@@ -86,7 +86,7 @@ LightSample<F> sample_light(const SceneView& scene, const UInt<F>& light, const 
   return s;
 }
 
-/// The point of a light that was met. Only lights that need tables care about a mesh's triangle.
+/// The point of a light that was met. Only lights that need tables use a mesh's triangle.
 template <class F>
 LightPoint<F> light_point(const SceneView& scene, const SurfaceHit<F>& hit, const UInt<F>& light) {
   LightPoint<F> at{hit.p, hit.normal};
@@ -96,8 +96,8 @@ LightPoint<F> light_point(const SceneView& scene, const SurfaceHit<F>& hit, cons
   return at;
 }
 
-/// Density per solid angle at `p_from` with which next-event estimation would have drawn the point of `light` that was
-/// met, the choice inside.
+/// Density per solid angle at `p_from` with which next-event estimation would sample the point of `light` that was met,
+/// including the choice of the light.
 template <class F>
 F direct_light_pdf(const SceneView& scene, const UInt<F>& light, const Mask<F>& active, const Vec3<F>& p_from,
                    const SurfaceHit<F>& met) {
@@ -110,7 +110,7 @@ F direct_light_pdf(const SceneView& scene, const UInt<F>& light, const Mask<F>& 
   return pdf * choice_probability<F>(scene, light, active, p_from);
 }
 
-/// Radiance of the lights that rays met, in `direction`, from where they were met to where the rays came from.
+/// Radiance of the lights that rays met, in `direction`, from the hit points to the rays' origins.
 template <class F>
 Vec3<F> emitted_radiance(const SceneView& scene, const SurfaceHit<F>& hit, const UInt<F>& light, const Mask<F>& active,
                          const Vec3<F>& direction) {
@@ -125,7 +125,7 @@ Vec3<F> emitted_radiance(const SceneView& scene, const SurfaceHit<F>& hit, const
 template <class F>
 struct EnvironmentLook {
   Vec3<F> radiance;
-  F pdf;  ///< per solid angle at the place it is seen from, the choice inside
+  F pdf;  ///< per solid angle at the point it is seen from, including the choice of the light
 };
 
 /// The environment in the directions of rays that left the scene from `origin`. There must be one.

@@ -1,9 +1,8 @@
 // Path tracing with next-event estimation and multiple importance sampling (Veach 1997, chapters 8 to 10; Kajiya 1986)
 // over a batch of lanes.
-//   L = sum over vertices of throughput x (w_bsdf Le(hit) + w_light f Le(light sample) cos / pdf)
-// A lane that ends leaves its radiance in the slot of its path, so that nothing depends on when it ended. The photon
-// mapper's camera paths, pilots and the rays of an irradiance cache are the same but for their policy
-// (path_policies.h).
+//   L = sum over vertices of throughput x (w_bsdf Le(hit) + w_light f Le(light sample) cos / pdf).
+// A lane that ends stores its radiance in the slot of its path, so that nothing depends on when it ended. The photon
+// mapper's camera paths, pilots and the rays of an irradiance cache differ only in their policy (path_policies.h).
 #pragma once
 
 #include "renderer/kernels/path_policies.h"
@@ -62,7 +61,7 @@ class PathKernel : public BatchKernel<PathKernel<F, Policy>, PathSteps<F>> {
                [&] { return Base::draw(s, s.vertex + Base::Dimension::leaf).x; });
   }
 
-  /// Adds direct light; paths end, or draw their next direction and play roulette.
+  /// Adds direct light; paths end, or sample their next direction and play roulette.
   template <template <class> class Kind>
   [[gnu::flatten]] void shade(AtSurface<PathState, F>& at, const Mask<F>& active) {
     if constexpr (Kind<F>::is_lambertian)
@@ -74,7 +73,7 @@ class PathKernel : public BatchKernel<PathKernel<F, Policy>, PathSteps<F>> {
  private:
   using Base::scene_, Base::task_;
 
-  /// The first edge is the camera's: its surface is taken as seen directly.
+  /// The first edge is the camera's: its surface counts as seen directly.
   Mask<F> start_as_bounces(PathState<F>& s, std::uint32_t first, const Mask<F>& lanes) {
     const BouncesView& from = task_.bounces;
     load_into(s.origin.x, from.x + first), load_into(s.origin.y, from.y + first), load_into(s.origin.z, from.z + first);

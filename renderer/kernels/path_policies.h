@@ -1,17 +1,17 @@
-// Policies of the path kernel: which paths it follows. A policy type says where paths start, whether a light that a ray
-// meets counts, and what a path does at a Lambertian vertex. Every other vertex scatters all paths alike
-// (path_steps.h). final_gather.h lists the classes of paths that each one counts, and which photons bring the others.
+// Policies of the path kernel: which paths it follows. A policy type decides where paths start, whether a light that a
+// ray meets counts, and the action at a Lambertian vertex. Every other vertex scatters all paths alike (path_steps.h).
+// final_gather.h lists the classes of paths that each one counts, and the photons that contribute the others.
 //
-// A policy offers constants:
-//   from_camera           paths start at the camera; else at BouncesView
-//   beside_maps           PathState::gathering says whether a light that a ray meets counts; else each one does
-//   meets_sampled_lights  after a Lambertian vertex the ray may meet the light that was sampled there, so both are
-//                         weighted
-//   looks                 a path that ends at a Lambertian vertex follows one more ray, to a light
-//   even_lobes            smooth interfaces choose either lobe as often, and nothing else scatters (light_search.h)
-// and functions, templates so that no instruction set offers its code to another:
-//   leave_points(task, vertex, active)   leaves gather points at a Lambertian vertex; returns which paths end there
-//   after_lambertian(gathering)          PathState::gathering behind such a vertex
+// A policy has these constants.
+//   `from_camera`           Paths start at the camera; else at BouncesView.
+//   `beside_maps`           PathState::gathering decides whether a light that a ray meets counts; else each one does.
+//   `meets_sampled_lights`  After a Lambertian vertex the ray may meet the light that was sampled there, so both are
+//                           weighted.
+//   `looks`                 A path that ends at a Lambertian vertex follows one more ray, to a light.
+//   `even_lobes`            Smooth interfaces choose both lobes equally often; nothing else scatters (light_search.h).
+// It also has functions; they are templates, so that each instruction set compiles its own.
+//   `leave_points(task, vertex, active)`  Leaves gather points at a Lambertian vertex; returns paths that end there.
+//   `after_lambertian(gathering)`         PathState::gathering behind such a vertex.
 #pragma once
 
 #include <bit>
@@ -31,7 +31,7 @@ struct LambertianVertex {
 
   const UInt<F>& gathering() const { return at.path_state.gathering; }
 
-  /// Leaves a gather point a path. It has no direction: its weight is for any photon.
+  /// Leaves one gather point per path. It has no direction: its weight is for any photon.
   void leave_point(const Mask<F>& active, GatherPoints& points) const {
     const Vec3<F> weight = at.path_state.throughput * f;
     const std::uint32_t bits = to_bits(Mask<F>(active && max_component(weight) > 0));
@@ -57,8 +57,8 @@ struct LambertianVertex {
 };
 
 /// Path tracing without maps. It estimates all radiance along the camera ray. Every light that a ray meets counts, with
-/// its weight against light samples. A path ends where it leaves the scene, is absorbed, loses at roulette or reaches
-/// the depth limit.
+/// its weight against light samples. A path ends where it leaves the scene, is absorbed, is ended by roulette or
+/// reaches the depth limit.
 struct PathTracing {
   static constexpr bool from_camera = true, beside_maps = false, meets_sampled_lights = true;
   static constexpr bool looks = false, even_lobes = false;
@@ -74,9 +74,9 @@ struct PathTracing {
 };
 
 /// The photon mapper's camera pass. It estimates direct light up to the first Lambertian vertex, and leaves a gather
-/// point there for both maps. A light that a ray meets counts, unless caustic photons bring it (rough_gather.h). A
-/// path ends at its first Lambertian vertex at the latest. With `looks_on` it follows one more ray from there, which
-/// shares the light with the light samples; without, the light samples bring all of it.
+/// point there for both maps. A light that a ray meets counts, unless caustic photons add it (rough_gather.h). A path
+/// ends at its first Lambertian vertex at the latest. With `looks_on` it follows one more ray from there, which shares
+/// the light with the light samples; without, the light samples add all of it.
 template <bool looks_on>
 struct GatherPass {
   static constexpr bool from_camera = true, beside_maps = true, meets_sampled_lights = looks_on;
@@ -94,9 +94,9 @@ struct GatherPass {
 };
 
 /// The camera pass of a final gather. It estimates direct light at the first Lambertian vertex x and at the second, y.
-/// x leaves a caustic point, y a gather point for both maps. A light that a ray meets counts on the way to x, and with
-/// `looks_on` at the end of a ray that leaves x or y. A path ends at y, but where y is nearer than `near_hit` it ends
-/// one Lambertian vertex later.
+/// It leaves a caustic point at x and a gather point for both maps at y. A light that a ray meets counts on the way to
+/// x, and with `looks_on` at the end of a ray that leaves x or y. A path ends at y, or, where y is nearer than
+/// `near_hit`, one Lambertian vertex later.
 template <bool looks_on>
 struct FinalGatherPass {
   static constexpr bool from_camera = true, beside_maps = true, meets_sampled_lights = looks_on;
@@ -116,15 +116,15 @@ struct FinalGatherPass {
   }
 };
 
-/// Rays from a point that an irradiance cache gathers. It estimates radiance that arrives there, without direct light:
-/// each ray is a bounce of a final gather from x, and so ends as one does. A light that a ray meets does not count. The
+/// Rays from a point that an irradiance cache gathers. It estimates radiance that arrives there, without direct light.
+/// Each ray is a bounce of a final gather from x, and ends as one does. A light that a ray meets does not count. The
 /// ray's length goes to BouncesView::distance.
 struct CacheRays : FinalGatherPass<false> {
   static constexpr bool from_camera = false;
 };
 
-/// Path tracing beside a caustic map. It estimates all radiance but caustics at the first two Lambertian vertices,
-/// which leave a caustic point and a gather point for them. A light that a ray meets counts, unless these photons bring
+/// Path tracing beside a caustic map. It estimates all radiance except caustics at the first two Lambertian vertices,
+/// which leave a caustic point and a gather point for them. A light that a ray meets counts, unless these photons add
 /// it. A path ends as in PathTracing.
 struct PathsBesideCaustics {
   static constexpr bool from_camera = true, beside_maps = true, meets_sampled_lights = true;
@@ -144,10 +144,10 @@ struct PathsBesideCaustics {
   }
 };
 
-/// A pilot that looks for lights behind mirrors and glass (light_search.h). It estimates the noise of paths that meet
-/// one: `radiance` is what a path met and how near it came to more. Lights count by LightSearch; without any, lights
-/// that rays meet do. A path ends at the first vertex that is not a smooth interface, and leaves a gather point if that
-/// is Lambertian.
+/// A pilot that searches for lights behind mirrors and glass (light_search.h). It estimates the noise of paths that
+/// meet one: `radiance` is what a path met and how near it came to more. LightSearch decides which lights count;
+/// without it lights that rays meet do. A path ends at the first vertex that is not a smooth interface, and leaves a
+/// gather point if that is Lambertian.
 struct PilotPass {
   static constexpr bool from_camera = true, beside_maps = false, meets_sampled_lights = false;
   static constexpr bool looks = false, even_lobes = true;
@@ -163,7 +163,7 @@ struct PilotPass {
   }
 };
 
-/// Calls visit(policy type's value).
+/// Calls visit(value of the policy type).
 template <class Visit>
 void with_policy(PathPolicy policy, Visit&& visit) {
   switch (policy) {

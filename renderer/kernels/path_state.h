@@ -11,12 +11,12 @@ template <class F>
 struct PathState {
   Vec3<F> origin, direction;  ///< the next ray
   Vec3<F> throughput, radiance;
-  F bsdf_pdf;  ///< density of `direction`; 0 after a delta BSDF and from the camera: nothing else could find it.
-               ///< Negative where the ray shows no environment (hides_environment)
-  F refraction_scale;  ///< undoes the squared index ratios in the throughput, for roulette
-  UInt<F> from;        ///< primitive the ray leaves
-  UInt<F> vertex;      ///< edges before the next ray
-  UInt<F> key, index;  ///< of the sampler
+  F bsdf_pdf;  ///< Density of `direction`; 0 after a delta BSDF and from the camera: nothing else could find it.
+               ///< Negative where the ray shows no environment (hides_environment).
+  F refraction_scale;  ///< Undoes the squared index ratios in the throughput, for roulette.
+  UInt<F> from;        ///< Primitive that the ray leaves.
+  UInt<F> vertex;      ///< Edges before the next ray.
+  UInt<F> key, index;  ///< The sampler's.
   UInt<F> path;
   UInt<F> gathering;  ///< final_gather's bits
 

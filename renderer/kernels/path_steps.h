@@ -1,4 +1,4 @@
-// Steps of a camera path that no policy changes: light that it meets, light samples, scattering, roulette, its end.
+// Steps of a camera path common to all policies: lights that it meets, light samples, scattering, roulette, its end.
 // They are members of one class for all policies, so that an instruction set compiles each once.
 #pragma once
 
@@ -22,14 +22,14 @@ class PathSteps : public BatchQueues<PathState, TransportMode::radiance, F> {
 
  protected:
   using U = UInt<F>;
-  /// Of the sampler; the camera has the first.
+  /// Dimensions of the sampler; the camera has the first.
   struct Dimension {
     static constexpr std::uint32_t first_vertex = 1, a_vertex = 5;
     static constexpr std::uint32_t light_point = 0, direction = 1, light = 2, lobe = 3, roulette = 4;  ///< of a vertex
-    static constexpr std::uint32_t leaf = 1u << 24;  ///< one a vertex: which of a surface's BSDFs
+    static constexpr std::uint32_t leaf = 1u << 24;  ///< one per vertex: which of a surface's BSDFs
   };
 
-  /// `even_lobes`: of the policy.
+  /// `even_lobes` is the policy's.
   PathSteps(PathTask& task, bool even_lobes)
       : Base(*task.scene, task.scratch),
         task_(task),
@@ -39,7 +39,7 @@ class PathSteps : public BatchQueues<PathState, TransportMode::radiance, F> {
   /// PathState::bsdf_pdf of a camera ray where emitters are hidden, until a surface scatters it.
   static constexpr float hides_environment = -1;
 
-  /// Number of the vertex after a gather point: the path only sees what light is there.
+  /// Number of the vertex after a gather point: the path only adds light that it meets there.
   static constexpr std::uint32_t only_looks = 1u << 31;
 
   static U dimension_at(const PathState<F>& s) { return s.vertex * Dimension::a_vertex + Dimension::first_vertex; }
@@ -61,7 +61,7 @@ class PathSteps : public BatchQueues<PathState, TransportMode::radiance, F> {
   }
 
   /// Camera rays go on behind lights that are hidden from them, up to the first other surface. They start farther along
-  /// each time, even where coordinates are so coarse that moving off the light does not get there.
+  /// each time, even where coordinates are so coarse that the usual offset would not leave the light.
   [[gnu::noinline]] void pass_lights(PathState<F>& s, SurfaceHit<F>& hit, const Mask<F>& from_camera) const {
     for (;;) {
       const Mask<F> passes =
@@ -98,7 +98,7 @@ class PathSteps : public BatchQueues<PathState, TransportMode::radiance, F> {
     s.radiance = select(shines, Vec3<F>(s.radiance + s.throughput * emitted * weight), s.radiance);
   }
 
-  /// Of rays that met nothing. Next-event estimation could have found the environment too, as any other light.
+  /// Adds the environment to rays that met nothing. Next-event estimation could have found it, too, like other lights.
   [[gnu::noinline, gnu::flatten]] void add_environment(PathState<F>& s, const Mask<F>& leaves) {
     const EnvironmentLook<F> sky = look_at_environment(scene_, s.origin, s.direction, leaves);
     const Mask<F> shared = s.bsdf_pdf > 0;
@@ -115,7 +115,7 @@ class PathSteps : public BatchQueues<PathState, TransportMode::radiance, F> {
     return task_.settings.indirect_only ? active && !final_gather::has_left_none<F>(s.gathering) : active;
   }
   bool takes_light_samples() const { return scene_.light_count > 0 && photonproof::takes_light_samples(light_from_); }
-  /// Adds direct light at a Lambertian vertex. `goes_on`: the path may meet the same light by itself.
+  /// Adds direct light at a Lambertian vertex. `goes_on`: the path's next ray may meet the same light.
   template <class Record>
   [[gnu::noinline, gnu::flatten]] void add_direct_light_at_lambertian(AtSurface<PathState, F>& at,
                                                                       const ScatteringBsdf<Record, F>& bsdf,
@@ -139,7 +139,7 @@ class PathSteps : public BatchQueues<PathState, TransportMode::radiance, F> {
     go_on_by_bsdf(at, bsdf, wo_local, active, Mask<F>(false));
   }
 
-  /// Draws the next direction of the paths `going` and plays roulette. Those `looking` only see what light is there.
+  /// Samples the next direction of the paths `going` and plays roulette. Those `looking` only add light that they meet.
   template <class Record>
   void go_on_by_bsdf(AtSurface<PathState, F>& at, const ScatteringBsdf<Record, F>& bsdf, const Vec3<F>& wo_local,
                      const Mask<F>& going, const Mask<F>& looking) {
@@ -208,7 +208,7 @@ class PathSteps : public BatchQueues<PathState, TransportMode::radiance, F> {
   const bool even_lobes_;
 
  private:
-  /// `goes_on`: the path may meet the same light by itself.
+  /// `goes_on`: the path's next ray may meet the same light.
   template <class B>
   void add_direct_light(AtSurface<PathState, F>& at, const B& bsdf, const Frame<F>& frame, const Vec3<F>& wo_local,
                         const U& dimension, bool goes_on, const Mask<F>& active) {
@@ -222,7 +222,7 @@ class PathSteps : public BatchQueues<PathState, TransportMode::radiance, F> {
                                                     active, task_.counts);
   }
 
-  /// What other than photons brings at rough parts.
+  /// Direct light at rough parts that photons do not add.
   template <class Record>
   void add_direct_light_if_counted(AtSurface<PathState, F>& at, const ScatteringBsdf<Record, F>& bsdf,
                                    const Vec3<F>& wo_local, const U& dimension, const Mask<F>& active) {
@@ -238,8 +238,8 @@ class PathSteps : public BatchQueues<PathState, TransportMode::radiance, F> {
     }
   }
 
-  /// All kinds but the Lambertian share one copy of the code that chooses lights and traces shadow rays: a copy each
-  /// would take minutes to compile, and calls cost them little.
+  /// All kinds except the Lambertian share one copy of the code that chooses lights and traces shadow rays. A copy each
+  /// would take minutes to compile, and a call costs them little.
   [[gnu::noinline]] void add_direct_light_once_compiled(AtSurface<PathState, F>& at, const AnyBsdf<F>& bsdf,
                                                         const Frame<F>& frame, const Vec3<F>& wo_local,
                                                         const U& dimension, const Mask<F>& active) {
@@ -270,7 +270,7 @@ class PathSteps : public BatchQueues<PathState, TransportMode::radiance, F> {
     return select(final_gather::has_left_none<F>(gathering), rough_gather::after<F>(gathering, by_rough_part), after);
   }
 
-  /// For caustic photons, at rough parts.
+  /// Gathers caustic photons at rough parts.
   template <class Record>
   [[gnu::noinline]] void gather_rough(const AtSurface<PathState, F>& at, const ScatteringBsdf<Record, F>& bsdf,
                                       const Vec3<F>& wo_local, const Mask<F>& active) {

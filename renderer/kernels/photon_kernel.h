@@ -1,7 +1,6 @@
 // Photons from the lights through the scene (Jensen 2001, chapters 5 and 7.2), over a batch of lanes. They are stored
-// on Lambertian surfaces. Every other one, rough ones too, counts as specular, since camera paths go on from there as
-// well; on their rough parts caustic photons that no rough part has scattered are stored with their directions
-// (rough_gather.h).
+// on Lambertian surfaces. All other surfaces, rough ones too, count as specular, since camera paths continue from there
+// as well. Their rough parts store caustic photons that no rough part has scattered, with directions (rough_gather.h).
 #pragma once
 
 #include "renderer/kernels/batch_kernel.h"
@@ -19,11 +18,11 @@ template <class F>
 struct PhotonState {
   Vec3<F> origin, direction;
   Vec3<F> flux;     ///< W
-  F weight;         ///< of the flux's largest channel relative to the start, for roulette
-  UInt<F> from;     ///< primitive the ray leaves
-  UInt<F> edges;    ///< before the next ray
-  UInt<F> bounced;  ///< PhotonKernel's bits
-  UInt<F> path;     ///< number in the task
+  F weight;         ///< Largest channel of the flux relative to the start, for roulette.
+  UInt<F> from;     ///< Primitive that the ray leaves.
+  UInt<F> edges;    ///< Edges before the next ray.
+  UInt<F> bounced;  ///< PhotonKernel's bits.
+  UInt<F> path;     ///< Number in the task.
 
   static constexpr std::size_t column_count = 14;
   template <class Self, class Visit>
@@ -43,8 +42,8 @@ class PhotonKernel : public BatchKernel<PhotonKernel<F>, BatchQueues<PhotonState
   static constexpr std::uint32_t emission_dimensions = 3;                     // position, direction, light
   static constexpr std::uint32_t dimensions_an_edge = 3;                      // direction, lobe, roulette
   static constexpr std::uint32_t surface_dimensions = 1u << 24;               // one an edge: which of a surface's BSDFs
-  /// From here on, photons are stored less and less often, and carry more: k edges leave about 32 (1 + log(k/32)) of
-  /// them, so that maps of scenes that hardly absorb stay small.
+  /// From this many edges on, photons are stored less and less often, and carry more. Of k edges about
+  /// 32 (1 + log(k/32)) are stored, so that maps of scenes with little absorption stay small.
   static constexpr float every_edge_until = 32;
   static constexpr std::uint32_t thinning_dimensions = 2u << 24;  // one an edge
   static constexpr std::uint32_t part_dimensions = 3u << 24;      // one an edge: which part of a BSDF scatters
@@ -67,7 +66,7 @@ class PhotonKernel : public BatchKernel<PhotonKernel<F>, BatchQueues<PhotonState
       shine(GeneralLight<F>(*scene_.general_lights, choice.light, lanes), lanes);
     else
       for_each_light_kind<F>(scene_, choice.light, lanes, shine);
-    // A primitive of a small scene; elsewhere the light's face.
+    // A primitive in a small scene, the light's face elsewhere.
     const Mask<F> ahead = start.is_ahead > 0;
     s.from =
         select(ahead || equal<F>(choice.primitive, U(no_index)), U(no_index), choice.primitive + start.at.triangle);
@@ -132,7 +131,7 @@ class PhotonKernel : public BatchKernel<PhotonKernel<F>, BatchQueues<PhotonState
     if constexpr (CanBeRough<Kind<F>, F>)
       if (task_.kind == PhotonKind::caustic) split(s, bsdf.bsdf, wo_local, next);
     s.weight *= max_component(s.flux) / before;
-    // From the first surface on: photons of even flux make the best maps.
+    // Roulette applies from the first surface on: photons of even flux make the best maps.
     const F q = survival_probability<F>(s.weight, s.edges, 0);
     alive = alive && next.valid && q > 0 && draw_independent<F>(key, index, U(dimension + 2u)) < q;
     s.flux *= 1 / q;
@@ -145,7 +144,7 @@ class PhotonKernel : public BatchKernel<PhotonKernel<F>, BatchQueues<PhotonState
  private:
   using Base::scene_;
 
-  /// Aimed where that is wanted; what comes from infinity goes where it goes.
+  /// Emits towards the aim targets where the task requests it; lights at infinity are not aimed.
   template <class Light>
   Emission<F> emit(const PhotonState<F>& s, const Light& light, const U& index, const Vec2<F>& u_position,
                    const Vec2<F>& u_direction, const Mask<F>& lanes) const {
@@ -174,7 +173,7 @@ class PhotonKernel : public BatchKernel<PhotonKernel<F>, BatchQueues<PhotonState
   template <class Record>
   void store_on_rough(const AtSurface<PhotonState, F>& at, const Record& bsdf, const Mask<F>& lanes) {
     const PhotonState<F>& s = at.path_state;
-    // In detailed scenes on whatever can be rough: how often a hit draws such a BSDF is known, how rough it is not.
+    // Detailed scenes store on all BSDFs that can be rough: how often a hit chooses one is known, its roughness is not.
     const Mask<F> rough = scene_.detailed ? as_mask<F>(true) : bsdf.is_rough(scene_.rough_limit);
     const Mask<F> by_mirrors = equal<F>(U(s.bounced & (specularly | roughly)), U(specularly));
     store(at, lanes && rough && by_mirrors && max_component(s.flux) > 0, [&](const Vec3<F>& flux) {
@@ -202,7 +201,7 @@ class PhotonKernel : public BatchKernel<PhotonKernel<F>, BatchQueues<PhotonState
     s.bounced = select(smooth && rough, U(s.bounced | roughly), s.bounced);
   }
 
-  /// `make_landed` makes a photon of its flux; edges are still to be added to its surface side.
+  /// `make_landed` makes a photon from its flux; this function adds the edges to its surface side.
   template <class MakeLanded>
   void store(const AtSurface<PhotonState, F>& at, const Mask<F>& lanes, MakeLanded&& make_landed) {
     F stored_share(1.0f);

@@ -1,5 +1,5 @@
-// Directions from a light's points into the cones of the aim targets, drawn uniformly from one cone of all:
-//   p(d) = 1/K sum over the K cones that hold d of 1 / (their solid angle)
+// Directions from a light's points into the cones of the aim targets, sampled uniformly in one uniformly chosen cone.
+//   The density is p(d) = 1/K sum over the K cones that hold d of 1 / (their solid angle).
 #pragma once
 
 #include "renderer/scene/scene_view.h"

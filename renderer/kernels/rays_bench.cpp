@@ -1,5 +1,5 @@
-// Rays by kind and scene size; the path tracer end to end against its own rays through Embree alone; where the packed
-// kernel stops paying (brute_force_limit). Everything on one thread; items are rays.
+// Rays by kind and scene size. The path tracer end to end against its own rays through Embree alone. The scene size at
+// which the packed kernel stops paying off (brute_force_limit). All on one thread; items are rays.
 //   ./run --bench rays
 
 #include <benchmark/benchmark.h>

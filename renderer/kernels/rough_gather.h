@@ -1,14 +1,15 @@
-// Photons looked up where a camera path meets the rough part of a BSDF: each counts by f of the direction it came from,
-// so that the gather is made where the BSDF is known, one point after the other with a photon a lane.
+// Gathers photons where a camera path meets the rough part of a BSDF. Each photon counts by f of its incoming
+// direction, so the gather happens where the BSDF is known. It handles one point after the other, with one photon per
+// lane.
 //
-// Classes of paths. Every scattering by a BSDF that is not Lambertian is by its rough part, G, or by the rest, S: a
-// mirror or a sharp highlight (is_by_rough_part decides, light paths and camera paths alike). Without a Lambertian
-// vertex there are
-//   L S* E                  rays that meet lights, and light samples where S is not a mirror
-//   L G (S|G)* E            light samples at G and the ray that leaves it, weighted
-//   L S+ G (S|G)* E         the caustic map at G
-// So from G on, light counts only at the end of the next ray and at further G. To a Lambertian vertex (final_gather.h)
-// G is as S: its photons have been through both.
+// Classes of paths. Every scattering by a BSDF that is not Lambertian is by its rough part, G, or by the rest, S. The
+// rest is a mirror or a sharp highlight (is_by_rough_part decides, for light paths and camera paths alike). There are
+// three classes without a Lambertian vertex.
+//   L S* E                  Rays that meet lights, and light samples where S is not a mirror.
+//   L G (S|G)* E            Light samples at G and the ray that leaves it, weighted.
+//   L S+ G (S|G)* E         The caustic map at G.
+// So from G on, light counts only at the end of the next ray and at further G. For a Lambertian vertex (final_gather.h)
+// G is like S: its photons have been through both.
 #pragma once
 
 #include <bit>
@@ -25,7 +26,7 @@ namespace photonproof::rough_gather {
 
 using final_gather::any_rough, final_gather::last_rough;
 
-/// Whether G has scattered the path, of PathState::gathering; false from the first Lambertian vertex on.
+/// Whether G has scattered the path, from PathState::gathering; false from the first Lambertian vertex on.
 template <class F>
 Mask<F> is_behind_rough(const UInt<F>& gathering) {
   return !equal<F>(UInt<F>(gathering & any_rough), UInt<F>(0u));
@@ -35,7 +36,7 @@ template <class F>
 Mask<F> counts_light(const UInt<F>& gathering) {
   return !is_behind_rough<F>(gathering) || !equal<F>(UInt<F>(gathering & last_rough), UInt<F>(0u));
 }
-/// On the way to the first Lambertian vertex.
+/// PathState::gathering on the way to the first Lambertian vertex.
 template <class F>
 UInt<F> after(const UInt<F>& gathering, const Mask<F>& by_rough_part) {
   return select(by_rough_part, UInt<F>(gathering | any_rough | last_rough), UInt<F>(gathering & ~last_rough));
@@ -58,8 +59,8 @@ T in_all_lanes(const T& lanes, std::size_t lane) {
   return all;
 }
 
-/// Photons on one surface side of a surface that count for one point; as gather_by, in blocks whose sums are added in
-/// one tree.
+/// Photons on one surface side of a surface that count for one point. As in gather_by, they come in blocks whose sums
+/// are added in one tree.
 template <class F, class Record>
 class Point {
   static constexpr std::size_t block = gathering::block, parts = block / lane_count<F>;
@@ -72,7 +73,7 @@ class Point {
             in_all_lanes<F>(bsdf.at.maps, lane)},
         wo_(in_all_lanes<F>(wo_local, lane)) {}
 
-  /// Leaves the point with what is found for it; there is room.
+  /// Adds the point with its gathered photons to the queue; there must be room.
   void radiance_estimate(RoughGathers& rough, const GatherPoint& point) {
     const float radius = rough.radius[point.path], narrow_radius = radius * rough.narrow_part;
     PhotonFilter filter{point.surface, rough.max_edges - static_cast<std::int32_t>(point.edges),

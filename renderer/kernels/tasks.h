@@ -1,4 +1,4 @@
-// What the kernels are asked to do, and the table of them for one instruction set.
+// Tasks of the kernels, and the table of the kernels for one instruction set.
 #pragma once
 
 #include <cstddef>
@@ -12,7 +12,7 @@
 
 namespace photonproof::inline renderer_kernels {
 
-/// Camera samples [first_sample, first_sample + samples) of every pixel of a tile, or of some; at most 2^20 of them.
+/// Camera samples [first_sample, first_sample + samples) of every pixel of a tile, or of some; at most 2^20 in all.
 struct CameraTask {
   int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
   std::uint32_t first_sample = 0, samples = 0;
@@ -30,13 +30,13 @@ struct CameraTask {
   std::uint32_t paths() const { return pixels() * samples; }
 };
 
-/// How light comes to the vertices of a path.
+/// How direct light at the vertices of a path is estimated.
 enum class DirectLight {
-  weighted,       ///< samples of lights and rays that meet them, by multiple importance sampling
-  unweighted,     ///< both, where no light can be had both ways
-  samples_only,   ///< rays see only lights that samples cannot have found
-  hits_only,      ///< rays that meet lights, without samples
-  rare_hits_only  ///< rays see only lights that samples could not have found; no samples either
+  weighted,       ///< Light samples and rays that meet lights, by multiple importance sampling.
+  unweighted,     ///< Both, where no light can be found both ways.
+  samples_only,   ///< Light samples; rays count only lights that samples cannot find.
+  hits_only,      ///< Rays that meet lights, without samples.
+  rare_hits_only  ///< Rays count only lights that samples could not find; no samples either.
 };
 constexpr bool takes_light_samples(DirectLight from) {
   return from != DirectLight::hits_only && from != DirectLight::rare_hits_only;
@@ -57,7 +57,7 @@ struct PathSettings {
   bool shows_behind_straight = !hide_emitters;
 };
 
-/// Which paths the path kernel follows: one row a policy type (path_policies.h).
+/// The paths that the path kernel follows: one row per policy type (path_policies.h).
 enum class PathPolicy {
   path_tracing,        ///< PathTracing
   gather_pass,         ///< GatherPass<false>
@@ -69,23 +69,23 @@ enum class PathPolicy {
   cache_rays           ///< CacheRays
 };
 
-/// Paths that begin at Lambertian surfaces as final gathers' bounces do, in columns; arrays may be read a pack past
-/// their ends. A path's radiance is of what it meets, for a throughput of 1.
+/// Paths that begin at Lambertian surfaces as final gathers' bounces do, in columns. Arrays may be read one pack past
+/// their ends. A path's radiance is that of the surfaces it meets, for a throughput of 1.
 struct BouncesView {
   std::uint32_t count = 0;
   const float *x = nullptr, *y = nullptr, *z = nullptr;  ///< origin, off the surface
   const float *to_x = nullptr, *to_y = nullptr, *to_z = nullptr;
   const std::uint32_t *key = nullptr, *index = nullptr;  ///< of the sampler
-  float* distance = nullptr;                             ///< filled with the ray's, where it meets anything
+  float* distance = nullptr;                             ///< receives the ray's length, where it meets a surface
 };
 
-/// A light as a ball: of the same flux to all sides, per area of its disc.
+/// A light as a ball with equal flux in all directions, per area of its disc.
 struct LightBall {
   Vec3f center;
   float radius = 0, radiance = 0;
 };
 
-/// Lights to search, and within how many of their radii; without them those that rays meet are what is found.
+/// Lights to search, and within how many of their radii. Without any, the search finds the lights that rays meet.
 struct LightSearch {
   const LightBall* lights = nullptr;
   std::size_t count = 0;
@@ -94,15 +94,15 @@ struct LightSearch {
 
 struct PathTask;
 
-/// What camera paths do at rough parts of BSDFs on their way to the first Lambertian surface (rough_gather.h).
+/// Gathering by camera paths at rough parts of BSDFs, before the first Lambertian surface (rough_gather.h).
 struct RoughGathers {
-  bool by_photons = false;  ///< light that only they bring is not counted otherwise
-  PhotonView map{};         ///< the caustic map; without photons none are looked up
+  bool by_photons = false;  ///< light that only photons add is not counted otherwise
+  PhotonView map{};         ///< the caustic map; without photons nothing is gathered
   std::int32_t max_edges = 0;
   const SheetTest* tests = nullptr;  ///< of each surface
   const float* radius = nullptr;     ///< of each path
   float narrow_part = 1;
-  /// Points with what was found for them, `flux` times f, and the same within `narrow_part` of their radii.
+  /// Points with their gathered photons, `flux` times f, and the same within `narrow_part` of their radii.
   GatherPoints points{}, narrow{};
   std::size_t room = 0;  ///< for points
   void (*make_room)(PathTask&) = nullptr;
@@ -115,24 +115,24 @@ struct PathTask {
   BouncesView bounces{};  ///< where CacheRays start
   PathSettings settings;
   PathPolicy policy = PathPolicy::path_tracing;
-  LightSearch search{};              ///< of a PilotPass, which gives `radiance` another meaning (light_search.h)
-  float* radiance = nullptr;         ///< 3 a path, in the task's order of paths
-  std::uint32_t* scratch = nullptr;  ///< PathKernelEntry::scratch words
-  GatherPoints points{};             ///< of a GatherQueue with room for one a path, where paths leave them
-  GatherPoints caustic_points{};     ///< of final_gather.h, for caustic photons alone: room for two a path, or none
-  bool caustics_at_first = true;     ///< whether the first Lambertian vertex leaves one of those
+  LightSearch search{};              ///< For a PilotPass, which gives `radiance` another meaning (light_search.h).
+  float* radiance = nullptr;         ///< 3 values per path, in the task's order of paths.
+  std::uint32_t* scratch = nullptr;  ///< PathKernelEntry::scratch words.
+  GatherPoints points{};             ///< A GatherQueue's, with room for one per path, where paths leave some.
+  GatherPoints caustic_points{};     ///< For caustic photons alone (final_gather.h). Room for two per path, or none.
+  bool caustics_at_first = true;     ///< Whether the first Lambertian vertex leaves one of those.
   RoughGathers rough{};
-  float near_hit = 0;  ///< of a final gather: hits nearer than this are traced on
+  float near_hit = 0;  ///< final gather: hits nearer than this are traced on
   RayCounts counts{};
 };
 
-/// Which paths a map holds; together with direct light by next-event estimation they are all of them, each once.
+/// The paths that a map holds. Together with direct light by next-event estimation they are all paths, each once.
 enum class PhotonKind {
   global,   ///< landed on a diffuse surface after at least one diffuse bounce
   caustic,  ///< landed on its first diffuse surface after at least one specular bounce
 };
 
-/// Photons as they land, whatever their path.
+/// Photons as they land, for paths of any kind.
 struct PhotonDeposits {
   static constexpr std::size_t slack = 16;  ///< of a pack
   static constexpr std::size_t capacity = 4096;
@@ -147,26 +147,26 @@ struct PhotonTask {
   const SceneView* scene = nullptr;
   PhotonKind kind = PhotonKind::global;
   SamplerKind sampler = SamplerKind::sobol;
-  std::uint32_t seed = 0;            ///< stream_seed of the map
-  std::uint32_t first = 0;           ///< sampler index of the first path
-  std::uint32_t count = 0;           ///< paths
-  float share = 1;                   ///< of the lights' flux that a path carries
-  bool aimed = false;                ///< emitted towards specular surfaces only
-  int max_edges = -1;                ///< longest light subpath; -1 is unlimited
-  std::uint32_t* scratch = nullptr;  ///< PhotonKernelEntry::scratch words
+  std::uint32_t seed = 0;            ///< The map's stream_seed.
+  std::uint32_t first = 0;           ///< Sampler index of the first path.
+  std::uint32_t count = 0;           ///< Number of paths.
+  float share = 1;                   ///< Share of the lights' flux that a path carries.
+  bool aimed = false;                ///< Emitted towards specular surfaces only.
+  int max_edges = -1;                ///< Longest light subpath; -1 is unlimited.
+  std::uint32_t* scratch = nullptr;  ///< PhotonKernelEntry::scratch words.
   PhotonDeposits* deposits = nullptr;
   void (*drain)(PhotonTask&) = nullptr;  ///< empties `deposits`: called when they are full and at the end
   void* sink = nullptr;                  ///< of `drain`
   RayCounts counts{};
 };
 
-/// Looks photons up, each point within its own radius.
+/// Gathers photons, for each point within its own radius.
 struct GatherTask {
   PhotonView map{};
-  std::int32_t max_edges = 0;  ///< of camera and light path together
+  std::int32_t max_edges = 0;  ///< edges of camera and light path together
   GatherPoints points{};
-  const std::uint32_t* order = nullptr;  ///< in which points are looked up
-  const SheetTest* tests = nullptr;      ///< of each surface; null: none
+  const std::uint32_t* order = nullptr;  ///< the order in which points are processed
+  const SheetTest* tests = nullptr;      ///< one per surface; null: none
 };
 
 struct PathKernelEntry {
@@ -180,7 +180,7 @@ struct PhotonKernelEntry {
 };
 struct GatherKernelEntry {
   void (*gather)(const GatherTask&);
-  /// Adds weight x flux / area of the points to the radiance of their paths, 3 values a path.
+  /// Adds weight x flux / area of the points to the radiance of their paths, 3 values per path.
   void (*add)(const GatherPoints&, float* radiance);
 };
 

@@ -1,4 +1,4 @@
-// Scenes for the benches, compiled once a process.
+// Scenes for the benches, compiled once per process.
 #pragma once
 
 #include <memory>

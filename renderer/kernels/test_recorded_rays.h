@@ -1,5 +1,5 @@
-// The rays that the path tracer traces in a scene, to be traced again alone: by Embree's single-ray queries, or by the
-// kernels' packs.
+// The rays that the path tracer traces in a scene, recorded to be traced again alone: by Embree's single-ray queries,
+// or by the kernels' packs.
 #pragma once
 
 #include <vector>
@@ -15,7 +15,7 @@ struct RecordedRays {
   std::size_t count(const std::vector<RayBlock>& blocks) const;
 };
 
-/// Rays of `samples` paths a pixel of at most max_depth edges, in the order in which a batch traces them.
+/// Rays of `samples` paths per pixel of at most max_depth edges, in the order in which a batch traces them.
 RecordedRays record_rays(const Scene& scene, int samples, int max_depth);
 
 }  // namespace photonproof::bench

@@ -1,5 +1,5 @@
-// For code that is compiled once for each instruction set into one program: a function that is never emitted out of
-// line cannot be merged by the linker with its twin from a translation unit of a newer instruction set.
+// For code that is compiled once for each instruction set into one program. The linker cannot merge a function that is
+// never emitted out of line with its twin from a translation unit of a newer instruction set.
 #pragma once
 
 #define PHOTONPROOF_ALWAYS_INLINE [[gnu::always_inline]] inline

@@ -12,10 +12,10 @@ template <template <class> class... Kind>
 struct KindList {
   static constexpr std::uint32_t count = sizeof...(Kind);
   using Variant = std::variant<Kind<float>...>;
-  /// These first, so that a record's index is its kind, then others.
+  /// The kinds first, so that a record's index is its kind, then others.
   template <class... Other>
   using VariantWith = std::variant<Kind<float>..., Other...>;
-  /// Floats that a record of any kind fits in: the distance between records in the kernels' tables.
+  /// Floats of the largest record: the distance between records in the kernels' tables.
   static constexpr std::uint32_t stride = std::max({sizeof(Kind<float>)...}) / sizeof(float);
 
   /// f.template operator()<Kind>(index) for every kind in order.

@@ -1,8 +1,8 @@
-// The lane type: code that shades, samples and intersects is a template over F, which is `float` (one path, the
-// readable form and the tests' oracle) or a SIMD pack of floats, one path a lane. What follows is what F needs
-// beyond operators; lane_pack.h overloads it for packs, where a source asks for them by PHOTONPROOF_PACKS before its
-// first include: kernels and their tests do. Others are spared <experimental/simd>, a third of what they would take to
-// compile.
+// The lane type F: code that shades, samples and intersects is a template over it. F is `float` (one path, the readable
+// form and the tests' oracle) or a SIMD pack of floats, one path per lane. This file defines the functions that F needs
+// beyond operators. For packs lane_pack.h overloads them, in sources that define PHOTONPROOF_PACKS before their first
+// include: kernels and their tests. Other sources do not include <experimental/simd>, which would be a third of their
+// compile time.
 #pragma once
 
 #include <bit>
@@ -24,7 +24,7 @@ struct LaneTraits<float> {
   static constexpr std::size_t width = 1;
 };
 template <class F>
-using UInt = typename LaneTraits<F>::UInt;  ///< 32-bit integer a lane: indices, counters, random bits
+using UInt = typename LaneTraits<F>::UInt;  ///< 32-bit integer per lane: indices, counters, random bits
 template <class F>
 using Mask = typename LaneTraits<F>::Mask;
 template <class F>
@@ -37,7 +37,7 @@ struct LanesOf {
   using Column = std::conditional_t<std::is_same_v<T, float>, F, UInt<F>>;
 };
 
-/// A word a lane, from or to memory of any kind of 32-bit word: bits are copied, not converted.
+/// One word per lane, from or to memory of any kind of 32-bit word: bits are copied, not converted.
 template <class V, class Word>
 void load_into(V& v, const Word* p) {
   static_assert(sizeof(Word) == 4 && std::is_trivially_copyable_v<V>);
@@ -57,7 +57,7 @@ void store_from(const V& v, Word* p) {
 
 namespace photonproof::inline renderer_lanes {
 
-// --- masks: always those of F, whatever was compared -----------------------------------------------------------------
+// --- masks: always those of F, for any compared type -----------------------------------------------------------------
 
 template <class F>
 Mask<F> as_mask(bool m) {
@@ -146,11 +146,11 @@ UInt<F> lane_index() {
     return UInt<F>([](auto i) { return static_cast<std::uint32_t>(i); });
 }
 
-/// base[index] a lane.
+/// base[index] in each lane.
 inline float gather(const float* base, std::uint32_t index) { return base[index]; }
 inline std::uint32_t gather(const std::uint32_t* base, std::uint32_t index) { return base[index]; }
 
-/// Writes the lanes whose bit is set one after the other; may write up to a pack's width beyond `out`.
+/// Writes the lanes whose bit is set consecutively; may write up to a pack's width beyond `out`.
 inline void compress_store(float v, std::uint32_t, std::uint32_t* out) { store_from(v, out); }
 inline void compress_store(std::uint32_t v, std::uint32_t, std::uint32_t* out) { *out = v; }
 

@@ -10,8 +10,8 @@ namespace photonproof::inline renderer_lanes {
 template <class F>
 F lane_exp(const F& x) {
   const F inside = lane_min(lane_max(x, F(-87.3f)), F(88.0f));
-  // The nearest integer to x / ln 2, by adding and taking away 1.5 x 2^23. ln 2 in two parts, the first of few bits, so
-  // that its multiples are exact (Cody and Waite 1980).
+  // Adding and taking away 1.5 x 2^23 gives the nearest integer to x / ln 2. The value ln 2 is in two parts, the first
+  // of few bits, so that its multiples are exact (Cody and Waite 1980).
   const F n = (inside * 1.44269504f + 12582912.0f) - 12582912.0f;
   const F r = mul_add(n, F(2.12194440e-4f), mul_add(n, F(-0.693359375f), inside));
   // Taylor to r^7: |r| <= 0.347 leaves 0.347^8/8! = 5e-9.
@@ -23,7 +23,7 @@ F lane_exp(const F& x) {
   return select(x < -87.3f, F(0.0f), F(p * power));
 }
 
-/// Natural logarithm within 2 ulp, of what is below 1.2e-38 about -87.3.
+/// Natural logarithm within 2 ulp; about -87.3 for arguments below 1.2e-38.
 template <class F>
 F lane_log(const F& x) {
   const UInt<F> bits = to_word(lane_max(x, F(1.17549435e-38f)));
@@ -39,8 +39,8 @@ F lane_log(const F& x) {
   return mul_add(n, F(0.693359375f), mul_add(n, F(-2.12194440e-4f), log_m));
 }
 
-/// exp(x^2) erfc(x) for x >= 0, within 3e-7 of itself: t P(2t-1) with t = 1/(1 + x/2), P interpolating at Chebyshev's
-/// nodes.
+/// exp(x^2) erfc(x) for x >= 0, with a relative error below 3e-7: t P(2t-1) with t = 1/(1 + x/2), P interpolating at
+/// Chebyshev's nodes.
 template <class F>
 F lane_erfcx(const F& x) {
   const F t = 1 / mul_add(x, F(0.5f), F(1.0f));

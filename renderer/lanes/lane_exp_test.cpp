@@ -1,4 +1,4 @@
-// Elementary functions against the C library's in double precision, over the ranges their comments name.
+// Elementary functions compared with the C library's in double precision, over the ranges stated in their comments.
 
 #include "renderer/lanes/lane_exp.h"
 

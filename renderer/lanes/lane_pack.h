@@ -1,5 +1,5 @@
-// What lane.h has, for SIMD packs (std::experimental::simd). Only this file knows instruction sets. It is included by
-// lane.h alone, before the templates that call these.
+// The functions of lane.h for SIMD packs (std::experimental::simd). Only this file depends on instruction sets. Only
+// lane.h includes it, before the templates that call these.
 #pragma once
 
 #if defined(__x86_64__)

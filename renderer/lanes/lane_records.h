@@ -1,4 +1,4 @@
-// Single lanes of structs of lanes, for what is worked out one lane after the other: `Record<F>` has a column of lanes
+// Single lanes of structs of lanes, for code that handles one lane after the other. `Record<F>` has a column of lanes
 // for every word of `Record<float>`.
 #pragma once
 
@@ -21,7 +21,7 @@ Record<float> lane_of(const Record<F>& v, std::size_t lane) {
   return one;
 }
 
-/// Puts a lane of what `Record` is a pack of in its place.
+/// Stores one record as a lane of the corresponding struct of lanes.
 template <class F, class Lanes, class One>
 void set_lane(Lanes& v, std::size_t lane, const One& one) {
   constexpr std::size_t words = sizeof(One) / 4;
@@ -31,7 +31,7 @@ void set_lane(Lanes& v, std::size_t lane, const One& one) {
   for (std::size_t k = 0; k < words; ++k) std::memcpy(columns + 4 * (k * lane_count<F> + lane), from + 4 * k, 4);
 }
 
-/// What one(lane) gives for each of these lanes, zeros in the others.
+/// The results of one(lane) for each of these lanes, zeros in the others.
 template <class Answer, class F, class Ask>
 Answer each_lane(const Mask<F>& lanes, const Ask& one) {
   Answer answer{};

@@ -23,7 +23,7 @@ SinCos<F> sincos_quarter(const F& x) {
 /// Sine and cosine of 2 pi u for u in [0,1].
 template <class F>
 SinCos<F> sincos_turn(const F& u) {
-  // The nearest quarter turn, by adding and taking away 1.5 x 2^23, which rounds to an integer.
+  // Adding and taking away 1.5 x 2^23 rounds to an integer: the nearest quarter turn.
   const F quarters = (4 * u + 12582912.0f) - 12582912.0f;
   const SinCos<F> near = sincos_quarter(F((u - 0.25f * quarters) * 6.28318530717959f));
   const Mask<F> odd = quarters == 1.0f || quarters == 3.0f;
@@ -51,7 +51,7 @@ F angle_of(const F& y, const F& x) {
   return select(x < 0, 3.14159265359f - first_quadrant, first_quadrant);
 }
 
-/// Between unit vectors, in [0, pi]; small angles keep their digits.
+/// Angle between unit vectors, in [0, pi]; small angles keep their digits.
 template <class F>
 F angle_between(const Vec3<F>& a, const Vec3<F>& b) {
   const Vec3<F> across = cross(a, b);

@@ -1,5 +1,5 @@
-// Draws and warps a lane, in packs; shading by material, as paths inside a closed ball of it, where a ray costs next to
-// nothing. One thread; items are draws, warps and bounces.
+// Random numbers and warps per lane, in packs. Shading by material, for paths inside a closed ball of it, where rays
+// are almost free. One thread; items are random numbers, warps and bounces.
 
 #define PHOTONPROOF_PACKS
 #include <benchmark/benchmark.h>

@@ -1,5 +1,5 @@
-// Ends a test program on a processor that has not what it was compiled for, before anything of it runs, static
-// constructors included; CTest takes the exit code for "skipped".
+// Ends a test program on a processor that lacks the instruction set it was compiled for. It runs before everything
+// else, static constructors included; CTest takes the exit code for "skipped".
 #include <unistd.h>
 
 __attribute__((constructor(101))) static void skip_without_the_instruction_set() {

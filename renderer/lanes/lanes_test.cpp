@@ -1,4 +1,4 @@
-// Packs against one lane: numbers, vectors, draws. Compiled once for each instruction set.
+// Packs against one lane: numbers, vectors, samplers. Compiled once for each instruction set.
 
 #include <bit>
 #include <vector>
@@ -38,7 +38,7 @@ TEST(lanes, arithmetic_is_that_of_floats) {
 }
 
 TEST(lanes, minimum_and_maximum_of_a_nan_and_a_number_are_the_second) {
-  // What keeps a clamp of an undefined value within its bounds: max(nan, 0) = 0.
+  // This rule keeps a clamp of an undefined value within its bounds: max(nan, 0) = 0.
   const float nan = std::nanf("");
   EXPECT_EQ(lane_max(nan, 0.0f), 0);
   EXPECT_EQ(lane_min(nan, 1.0f), 1);
@@ -151,7 +151,7 @@ TEST(lanes, vectors_are_those_of_floats) {
 TEST(lanes, sine_and_cosine_agree) {
   const auto turn = [](const auto& in) {
     using F = Value<decltype(in)>;
-    return words_of<2, F>(sincos_turn(in[0]));
+    return lane_words<2, F>(sincos_turn(in[0]));
   };
   expect_lanes_agree<1, 2>("sincos_turn", turn, units<1>());
   expect_lanes_agree<1, 2>("sincos_turn", turn, anythings<1>());
@@ -159,7 +159,7 @@ TEST(lanes, sine_and_cosine_agree) {
       "sincos_quarter",
       [](const auto& in) {
         using F = Value<decltype(in)>;
-        return words_of<2, F>(sincos_quarter(in[0]));
+        return lane_words<2, F>(sincos_quarter(in[0]));
       },
       anythings<1>());
 }
@@ -237,7 +237,7 @@ TEST(lanes, warps_and_frames_agree) {
 TEST(lanes, fresnel_agrees) {
   const auto dielectric = [](const auto& in) {
     using F = Value<decltype(in)>;
-    return words_of<2, F>(fresnel_dielectric(in[0], in[1]));
+    return lane_words<2, F>(fresnel_dielectric(in[0], in[1]));
   };
   expect_lanes_agree<2, 2>("dielectric", dielectric, [](Random& random) {
     return Floats<2>{test::unit(random), 0.3f + 3 * random.next()};

@@ -1,7 +1,7 @@
 // Roulette in rooms that hardly absorb: a closed room of albedo rho whose walls emit 1 - rho has radiance 1 everywhere
-// (L = e / (1 - rho)). Errors are claimed by the film from the samples' spread; where that is infinite, as with any
-// roulette that kills a constant share s from rho^2 >= 1 - s on, images are too dark and claims too small. With a cap
-// of 0.95 rho = 0.995 gave 0.65 with a claimed error of 0.06, and 0.9999 gave 0.02 with 0.004.
+// (L = e / (1 - rho)). The film estimates errors from the samples' spread. Where that is infinite, images are too dark
+// and the estimates too small. Any roulette that kills a constant share s does this from rho^2 >= 1 - s on. With a cap
+// of 0.95, rho = 0.995 gave 0.65 with an estimated error of 0.06, and 0.9999 gave 0.02 with 0.004.
 
 #include "renderer/lanes/roulette.h"
 
@@ -22,8 +22,8 @@ using test::job_with;
 
 constexpr int seeds = 12;
 
-/// Renders of different seeds: their mean, and what they claim of its error. Errors are of the red channel of one
-/// pixel, so that nothing is shared.
+/// Renders of different seeds: their mean, and its estimated error. Errors are of the red channel of one pixel, so that
+/// nothing is shared.
 struct Claimed {
   double mean = 0, error = 0;
   double chi_square = 0;  ///< of the means over seeds against the errors claimed for each
@@ -50,7 +50,7 @@ Claimed render_seeds(const SceneDescription& scene, const char* integrator, std:
 void expect_one(const Claimed& claimed, double most_error, const std::string& what) {
   EXPECT_NEAR(claimed.mean, 1, 4 * claimed.error) << what;
   EXPECT_LT(claimed.error, most_error) << what;
-  // Spread over seeds as claimed: within the values that chance leaves once in a thousand runs, on either side.
+  // The spread over seeds must match the estimate, up to once in a thousand runs on either side.
   const boost::math::chi_squared spread(seeds - 1);
   EXPECT_GT(claimed.chi_square, boost::math::quantile(spread, 0.0005)) << what;
   EXPECT_LT(claimed.chi_square, boost::math::quantile(boost::math::complement(spread, 0.0005))) << what;
@@ -80,9 +80,8 @@ TEST_P(ClosedRoom, is_right_within_the_error_it_claims) {
              b.integrator + std::string(" at albedo ") + std::to_string(b.albedo));
 }
 
-// The relative variance of a path is about rho, as roulette.h says (15 at 0.9999 if its length were cut at that of
-// lossless ones); bdpt, which joins each of the thousands of vertices there with a light path's, is left out of that
-// one.
+// The relative variance of a path is about rho, as roulette.h derives (15 at 0.9999 if its length were cut at that of
+// lossless ones). That case leaves out bdpt, which connects each of its thousands of vertices with a light path's.
 INSTANTIATE_TEST_SUITE_P(
     roulette, ClosedRoom,
     testing::Values(Budget{"path", 0.5, 512, 0, 0.02}, Budget{"path", 0.9, 512, 0, 0.02},
@@ -100,10 +99,10 @@ INSTANTIATE_TEST_SUITE_P(
     });
 
 TEST(cloud, of_albedo_9999_in_uniform_light_loses_what_its_mean_path_absorbs) {
-  // Parallel rays over a ball's whole cross-section meet it as light from everywhere would, since it looks the same
-  // from everywhere; and whatever a body scatters, the mean length of such paths in it is 4 V / S = 4/3 R (Blanco and
-  // Fournier 2003). Red, with sigma_a = 10 (1 - 0.9999), then loses sigma_a 4/3 over the disc, pi/4 of the image, less
-  // sigma_a <l^2> / (2 <l>) < 0.5 % of that. Blue, not absorbed, loses nothing. Paths go on for a hundred
+  // Parallel rays over a ball's whole cross-section meet it as uniform light would, since it looks the same from
+  // everywhere. However a body scatters, the mean length of such paths in it is 4 V / S = 4/3 R (Blanco and Fournier
+  // 2003). Red, with sigma_a = 10 (1 - 0.9999), then loses sigma_a 4/3 over the disc, pi/4 of the image, less
+  // sigma_a <l^2> / (2 <l>) < 0.5 % of that. Blue, not absorbed, loses nothing. Paths continue for a hundred
   // scatterings and more: a share of 0.05 that dies each time makes blue's variance infinite.
   SceneDescription scene;
   HomogeneousDescription cloud{RgbD(10), RgbD{0.9999, 0.9999, 1}, 1, HenyeyGreensteinDescription{0.3}};
@@ -148,9 +147,9 @@ SceneDescription furnace_with_index(Model model, double index) {
 }
 
 TEST(roulette, knows_that_refraction_scales_radiance) {
-  // Inside, a camera path's throughput is 1 / ior^2 of what it is outside: roulette that takes that for absorption lets
-  // one path in 10^4 live at ior 100, with 10^4 times the weight, which hardly ever shows in an image: bdpt was 5 %
-  // too dark here, and claimed 0.1 %. Plastic needs 1 - R of the interface from inside, 5e-6 at ior 100.
+  // Inside, a camera path's throughput is 1 / ior^2 of its value outside. Roulette that treats this as absorption lets
+  // one path in 10^4 live at ior 100, with 10^4 times the weight, which hardly ever shows in an image. Then bdpt was 5
+  // % too dark here, and claimed 0.1 %. Plastic needs 1 - R of the interface from inside, 5e-6 at ior 100.
   for (const double ior : {1.0001, 1.5, 10.0, 100.0}) {
     PlasticDescription plastic;
     plastic.diffuse_reflectance = RgbD(1);

@@ -1,10 +1,10 @@
-// Random numbers as values: a draw is a function of (key, index, dimension), never of a thread, a lane or a batch. A
-// key names a pixel's or a photon map's sequence, the index is the sample's or the photon's number in it, a dimension
-// is what the draw is for.
-//   sobol        Owen-scrambled (0,2)-sequences, one for each dimension, shuffled against each other ("padded"): Burley
-//                2020, "Practical Hash-based Owen Scrambling", with Vegdahl's 2021 constants for the permutation of
-//                Laine and Karras 2011
-//   independent  every draw hashed by itself (Jarzynski and Olano 2020, pcg4d): to check the other against
+// Random numbers as values: each is a function of (key, index, dimension), never of a thread, a lane or a batch. The
+// key names a pixel's or a photon map's sequence. The index is the sample's or the photon's number in it, the dimension
+// the purpose of the number.
+//   `sobol`        Owen-scrambled (0,2)-sequences, one per dimension, shuffled against each other ("padded"). Source:
+//                  Burley 2020, "Practical Hash-based Owen Scrambling"; Vegdahl's 2021 constants for the
+//                  permutation of Laine and Karras 2011.
+//   `independent`  Every number hashed by itself (Jarzynski and Olano 2020, pcg4d): to check the other against.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,7 @@ namespace photonproof::inline renderer_lanes {
 
 enum class SamplerKind : std::uint32_t { sobol, independent };
 
-/// What a key is for, a number that its owner chooses: keys of different streams never coincide but by chance.
+/// The purpose of a key, a number that its owner chooses: keys of different streams coincide only by chance.
 enum class Stream : std::uint64_t {};
 
 /// A permutation of the 32-bit integers in which every input bit moves every output bit (Wellons's search, 2018).
@@ -67,7 +67,7 @@ F to_unit(const UInt<F>& bits) {
   return to_float(UInt<F>(bits >> 8)) * 0x1p-24f;
 }
 
-/// Uniform in [0,1), independent of every other draw.
+/// Uniform in [0,1), independent of every other number.
 template <class F>
 F draw_independent(const UInt<F>& key, const UInt<F>& index, const UInt<F>& dimension) {
   return to_unit<F>(mix_bits(UInt<F>(mix_bits(UInt<F>(key + dimension * 0x9e3779b9u)) ^ (index * 0x85ebca6bu))));
@@ -106,7 +106,7 @@ Vec2<F> draw2(SamplerKind kind, const UInt<F>& key, const UInt<F>& index, const 
   return {to_unit<F>(reverse_bits(x)), to_unit<F>(reverse_bits(y))};
 }
 
-/// The seed of a stream. `block` tells parts of it apart that have the same indices (a photon's number above 2^32).
+/// The seed of a stream. `block` separates parts that have the same indices (a photon's number above 2^32).
 inline std::uint32_t stream_seed(std::uint64_t seed, Stream stream, std::uint64_t block = 0) {
   const auto half = [](std::uint64_t v, int which) { return static_cast<std::uint32_t>(v >> (32 * which)); };
   std::uint32_t h = mix_bits(half(seed, 0) + 0x9e3779b9u);

@@ -119,7 +119,7 @@ TEST(sampler, draws_are_uniform_across_keys_pixels_indices_and_dimensions) {
   };
   for (const auto* name : {"sobol", "independent"}) {
     const auto kind = std::string(name) == "sobol" ? SamplerKind::sobol : SamplerKind::independent;
-    // One draw of each sequence: what scrambling alone must make uniform.
+    // One number of each sequence: scrambling alone must make these uniform.
     for (const std::uint32_t index : {0u, 1u, 5u})
       check(name, [&](std::uint32_t i) { return draw2<float>(kind, i, index, 0u); });
     check(name, [&](std::uint32_t i) { return draw2<float>(kind, pixel_key(i % 400, i / 400), 0u, 3u); });
@@ -157,7 +157,7 @@ TEST(sampler, neighbours_are_uncorrelated) {
       EXPECT_NEAR(correlation(x(key, index, 1), y(key, index, 6)), 0, five_sigma);
     }
   }
-  // Along a sequence, which only independent draws are to bear.
+  // Along a sequence; only independent numbers must pass this.
   const auto along = [](std::uint32_t step, std::uint32_t dimension) {
     return [=](std::uint32_t i) { return independent(123, i + step, dimension).x; };
   };
@@ -214,8 +214,8 @@ double rms_error(SamplerKind kind, const Function& f, double integral, std::uint
 
 TEST(sobol, integrates_smooth_functions_and_edges_far_better_than_independent_points) {
   // Independent: sigma / sqrt(n). A scrambled net's error is of order n^-1.5 for smooth functions (Owen 1997) and
-  // n^-0.75 across an edge, so that it gains like n and n^0.25: measured are 142 and 74 at 256 points, 1970 and 1000 at
-  // 4096 for the smooth ones, 3.5 and 7.8 for the edge.
+  // n^-0.75 across an edge, so that it gains like n and n^0.25. Measured gains for the smooth ones are 142 and 74 at
+  // 256 points, 1970 and 1000 at 4096. For the edge they are 3.5 and 7.8.
   const auto exponential = [](const Point& p) { return std::exp(static_cast<double>(p.x + p.y)); };
   const auto wave = [](const Point& p) {
     return std::sin(std::numbers::pi * static_cast<double>(p.x)) * (1 + static_cast<double>(p.y * p.y));

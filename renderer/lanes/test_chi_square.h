@@ -30,7 +30,7 @@ inline double chi_square_p_value(const std::vector<double>& observed, const std:
     statistic += (pooled_observed - pooled_expected) * (pooled_observed - pooled_expected) / pooled_expected;
     ++cells;
   } else if (pooled_observed > 5 * (pooled_expected + 1)) {
-    return 0;  // samples where the density says there are next to none
+    return 0;  // samples where the density is almost 0
   }
   if (cells < 2) return 1;
   return boost::math::cdf(boost::math::complement(boost::math::chi_squared(cells - 1), statistic));
@@ -91,10 +91,10 @@ class DirectionCells {
   Vec3d s_, t_, n_;
 };
 
-/// Draws directions and compares their histogram over cells of equal solid angles with the integral of the density over
-/// each. `draw(random)` gives a unit Vec3f, or zeros for none; `density(direction)` is per solid angle and may
-/// integrate to less than 1 over the sphere, but if `cells` are a cone, what is missing there must be beside the cone.
-/// Integrals begin on a lattice of sub x sub rectangles in each cell, which must see every feature of the density.
+/// Samples directions and compares their histogram over cells of equal solid angles with the integral of the density
+/// over each. `draw(random)` returns a unit Vec3f, or zeros for none; `density(direction)` is per solid angle and may
+/// integrate to less than 1 over the sphere. If `cells` are a cone, the missing part must be beside the cone. Integrals
+/// begin on a lattice of sub x sub rectangles in each cell, which must resolve every feature of the density.
 template <class Draw, class Density>
 double direction_p_value(const Draw& draw, const Density& density, std::uint64_t seed, int samples = 200'000,
                          int sub = 8, const DirectionCells& cells = DirectionCells()) {
@@ -127,7 +127,7 @@ double direction_p_value(const Draw& draw, const Density& density, std::uint64_t
       expected[static_cast<std::size_t>(row / sub * columns + column / sub)] += samples * mass;
       inside += mass;
     }
-  // A single number against a sum over all cells: what the sum's own error may be is much more than its noise.
+  // A single number against a sum over all cells: the allowed error of the sum itself is much more than its noise.
   if (cells.is_cone() && std::abs(observed.back() / samples - (1 - inside)) > 3e-3) return 0;
   observed.pop_back();
   expected.pop_back();

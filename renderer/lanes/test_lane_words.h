@@ -1,4 +1,4 @@
-// What tests of packs against one lane share: arrays of lanes, records as words, random arguments.
+// Common parts of tests of packs against one lane: arrays of lanes, records as words, random arguments.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -33,7 +33,7 @@ F zero_or_one(const Mask<F>& m) {
 
 /// A struct of F and nothing else as an array of them.
 template <std::size_t m, class F, class Record>
-std::array<F, m> words_of(const Record& record) {
+std::array<F, m> lane_words(const Record& record) {
   static_assert(sizeof(Record) == m * sizeof(F) && std::is_trivially_copyable_v<Record>);
   std::array<F, m> out;
   std::memcpy(&out, &record, sizeof record);

@@ -1,8 +1,9 @@
-// Whether packs of lanes compute what one lane does: every lane of a result is held to the same function over float.
+// Whether packs of lanes compute the same as one lane: every lane of a result is compared with the same function of
+// float.
 //
 // Packs add in other orders and fuse other operations than float does, so the last digits may differ, and all of them
-// where terms cancel. A lane may therefore be off by 1e-5, or by a few times what the scalar function itself does when
-// its inputs move by an ulp or four, which says how much that value is worth. Such lanes are counted, and must be few.
+// where terms cancel. A lane may therefore be off by 1e-5, or by a few times the change of the scalar function when its
+// inputs move by an ulp or four. Such lanes are counted, and must be few.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -22,7 +23,7 @@ inline constexpr std::size_t width = lane_count<Lanes>;
 
 // --- inputs ----------------------------------------------------------------------------------------------------------
 
-/// Of either sign, its magnitude 10^-8 to 10^8, one in thirty special.
+/// A float of either sign, its magnitude 10^-8 to 10^8, one in thirty special.
 inline float anything(Random& random) {
   constexpr float inf = std::numeric_limits<float>::infinity();
   constexpr float special[] = {0, -0.0f, inf, -inf, std::numeric_limits<float>::quiet_NaN(), 1e-40f, -3e-39f, 1, -1};
@@ -32,7 +33,7 @@ inline float anything(Random& random) {
   return random.next() < 0.5f ? magnitude : -magnitude;
 }
 inline float positive(Random& random) { return std::abs(anything(random)); }
-/// In [0,1), its ends included now and then.
+/// A number in [0,1), sometimes 0 or its greatest value.
 inline float unit(Random& random) {
   const Vec2<float> u = random.next2();
   return u.x < 0.01f ? 0 : u.x < 0.02f ? 1 - 0x1p-24f : u.y;
@@ -42,7 +43,7 @@ inline Vec3f direction(Random& random) {
   const float r = std::sqrt(std::max(0.0f, 1 - z * z));
   return {r * std::cos(phi), r * std::sin(phi), z};
 }
-/// A direction, three times of four; else anything.
+/// A direction in three of four cases, else any vector.
 inline Vec3f mostly_direction(Random& random) {
   if (random.next() < 0.75f) return direction(random);
   return {anything(random), anything(random), anything(random)};
@@ -60,7 +61,7 @@ inline bool close(float a, float b) {
 template <std::size_t n>
 using Floats = std::array<float, n>;
 
-/// Whether `packed` lies within what f itself makes of inputs that moved by an ulp or four, times eight.
+/// Whether `packed` lies within eight times the change of f when its inputs move by an ulp or four.
 template <std::size_t n, std::size_t m, class Fn>
 bool within_conditioning(const Fn& f, const Floats<n>& input, float packed, float scalar, std::size_t output) {
   Random random(71);
@@ -80,7 +81,8 @@ bool within_conditioning(const Fn& f, const Floats<n>& input, float packed, floa
   return packed == low || packed == high || (packed >= low - reach && packed <= high + reach);
 }
 
-/// f: array of n inputs -> array of m results, a template over F. `make(random)` gives the inputs of a lane.
+/// The function f, a template over F, maps an array of n inputs to an array of m results. `make(random)` makes a lane's
+/// inputs.
 template <std::size_t n, std::size_t m, class Fn, class Make>
 void expect_lanes_agree(const std::string& name, const Fn& f, const Make& make, int inputs = 100'000) {
   int failures = 0, ill_conditioned = 0;

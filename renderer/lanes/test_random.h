@@ -1,5 +1,5 @@
-// The tests' own random numbers, which share nothing with the sampler under test: counter-based SplitMix64 (Steele,
-// Lea, Flood 2014). The state is hashed from a name, each draw mixes a step of it.
+// The tests' own random numbers, independent of the sampler under test: counter-based SplitMix64 (Steele, Lea, Flood
+// 2014). The state is hashed from a name; each number mixes one step of it.
 #pragma once
 
 #include <cstdint>

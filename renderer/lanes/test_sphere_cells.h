@@ -1,5 +1,5 @@
-// Chi-square tests of directions whose density may be as narrow as a rough mirror's: the cells follow the samples, and
-// what a cell should hold is integrated as finely as it takes. Test code only.
+// Chi-square tests of directions whose density may be as narrow as a rough mirror's. The cells follow the samples, and
+// the expected count of a cell is integrated as finely as necessary. Test code only.
 #pragma once
 
 #include <algorithm>
@@ -44,7 +44,7 @@ struct SpherePoint {
 struct SphereCell {
   std::array<double, 2> low{-1, -1}, high{1, 1};
   bool upper = true;
-  std::vector<SpherePoint> points;  ///< draws in and around it: where the integral must look closely
+  std::vector<SpherePoint> points;  ///< samples in and around it: where the integral must be fine
 
   /// Within its own size around it.
   bool is_near(const SpherePoint& p) const {
@@ -146,8 +146,8 @@ class SphereCells {
   std::vector<SphereCell> cells_;
 };
 
-/// p-value of Pearson's test of draws against a density per solid angle. `draw(random, d)` returns false where nothing
-/// is drawn; the density integrates to the share of the others. Cells come from draws of their own.
+/// p-value of Pearson's test of samples against a density per solid angle. `draw(random, d)` returns false where there
+/// is no sample; the density integrates to the share of the others. Cells come from separate samples.
 template <class Draw, class Density>
 double sphere_p_value(const Draw& draw, const Density& density, std::uint64_t seed, int samples = 1'000'000) {
   constexpr std::uint64_t pilots = 20'000, in_a_cell = 160;

@@ -1,4 +1,4 @@
-// Maps from the unit square to the directions and points that estimators draw, with their densities.
+// Maps from the unit square to the directions and points that estimators sample, with their densities.
 #pragma once
 
 #include <cmath>
@@ -11,7 +11,7 @@ namespace photonproof::inline renderer_lanes {
 inline constexpr float pi = std::numbers::pi_v<float>;
 inline constexpr double pi_d = std::numbers::pi;
 
-/// The angle of (x, y) in [0, 1) of a turn.
+/// The angle of (x, y) in turns, [0, 1).
 inline float turn_of(float x, float y) {
   const float turn = std::atan2(y, x) / (2 * pi);
   return turn < 0 ? turn + 1 : turn;

@@ -1,4 +1,4 @@
-// Warps against their densities.
+// Warps compared with their densities.
 
 #include "renderer/lanes/warp.h"
 

@@ -1,4 +1,4 @@
-// The area emitter's parameters on every shape, as emitter_parameters_test.cpp has the others'.
+// The area emitter's parameters on every shape, tested as in emitter_parameters_test.cpp.
 
 #include <gtest/gtest.h>
 
@@ -38,11 +38,11 @@ TEST_F(AreaEmitter, shines_its_radiance_from_the_side_of_the_normal) {
 }
 
 TEST_F(AreaEmitter, lights_what_their_normal_points_to) {
-  // What is sampled, not met by the eye. 1 % are ten standard errors and more.
+  // Sampled light, not directly visible light. A tolerance of 1 % is at least ten standard errors.
   const std::string flip = "<boolean name='flip_normals' value='true'/>";
   for (const char* type : {"rectangle", "disk"}) {
     const double before = irradiance(glowing(type, "", ""), {0, 0, 2}, {0, 0, -1}, 1 << 12).x;
-    // The square of half-side 1, two units away, by the form below with x = y = 1/2; the disk: pi r^2 / (r^2 + h^2).
+    // The square of half-side 1, two units away: the form below with x = y = 1/2. The disk: pi r^2 / (r^2 + h^2).
     const double root = std::sqrt(1.25), square = 4 * (0.5 / root * std::atan(0.5 / root));
     const double expected = type == std::string("disk") ? pi_d / 5 : square;
     EXPECT_NEAR(before, expected, 0.01 * expected) << type;
@@ -51,7 +51,7 @@ TEST_F(AreaEmitter, lights_what_their_normal_points_to) {
     EXPECT_NEAR(irradiance(glowing(type, flip, ""), {0, 0, -2}, {0, 0, 1}, 1 << 12).x, expected, 0.01 * expected)
         << type;
   }
-  // Around a closed one that shines inward: pi. Before a sphere: pi (r/d)^2.
+  // Inside a closed shape that shines inward: pi. In front of a sphere: pi (r/d)^2.
   for (const char* type : {"sphere", "cube"}) {
     EXPECT_NEAR(irradiance(glowing(type, flip, ""), {0.2, -0.1, 0.3}, {1, 2, 3}, 1 << 12).x, pi_d, 0.01 * pi_d) << type;
     EXPECT_EQ(irradiance(glowing(type, flip, ""), {0, 0, 2}, {0, 0, -1}, 64), RgbD(0.0)) << type;
@@ -65,9 +65,10 @@ TEST_F(AreaEmitter, lights_what_their_normal_points_to) {
 }
 
 TEST_F(AreaEmitter, of_a_scaled_shape_has_its_area) {
-  // h = 4 above. A rectangle of half-sides a = 2 and b = 1/2 in closed form: with x = a/h and y = b/h, E = L 2 (x /
-  // sqrt(1 + x^2) atan(y / sqrt(1 + x^2)) + y / sqrt(1 + y^2) atan(x / sqrt(1 + y^2))). A disk of radius 3/2: E = pi L
-  // r^2 / (r^2 + h^2).
+  // The point is h = 4 above. For a rectangle of half-sides a = 2 and b = 1/2, set x = a/h and y = b/h in the closed
+  // form.
+  //   `E = L 2 (x / sqrt(1 + x^2) atan(y / sqrt(1 + x^2)) + y / sqrt(1 + y^2) atan(x / sqrt(1 + y^2)))`.
+  // For a disk of radius 3/2, E = pi L r^2 / (r^2 + h^2).
   const auto above = [](const std::string& scale) {
     return "<transform name='to_world'><scale " + scale + "/><rotate x='1' angle='90'/><translate y='4'/></transform>";
   };
@@ -75,14 +76,14 @@ TEST_F(AreaEmitter, of_a_scaled_shape_has_its_area) {
   const double rectangle = 2 * (x / a * std::atan(y / a) + y / b * std::atan(x / b));
   const double disk = pi_d * 2.25 / (2.25 + 16);
   const std::string stretched = glowing("rectangle", above("x='2' y='0.5'"), "");
-  // 1 % are ten standard errors and more.
+  // A tolerance of 1 % is at least ten standard errors.
   EXPECT_NEAR(irradiance(stretched, {}, {0, 1, 0}, 1 << 12).x, rectangle, 0.01 * rectangle);
   EXPECT_NEAR(irradiance(glowing("disk", above("value='1.5'"), ""), {}, {0, 1, 0}, 1 << 12).x, disk, 0.01 * disk);
 }
 
 TEST_F(AreaEmitter, of_a_shape_without_a_bsdf_stands_on_black) {
-  // A light of irradiance pi adds its reflectance to what a facing surface emits: 2 + 0 here, and 2.5 where the shape
-  // is like one without an emitter. Mitsuba 3 and 0.6 have 2.
+  // A light of irradiance pi adds its reflectance to the emission of a facing surface. The sum is 2 + 0 here, and would
+  // be 2.5 if the shape kept the default BSDF of shapes without an emitter. Mitsuba 3 and 0.6 have 2.
   const std::string sun =
       "<emitter type='directional'><vector name='direction' value='0, 0, -1'/><float name='irradiance' "
       "value='3.14159265'/></emitter>";
@@ -106,7 +107,7 @@ TEST_F(AreaEmitter, of_a_shape_without_a_bsdf_stands_on_black) {
 }
 
 TEST_F(AreaEmitter, wears_its_texture) {
-  // u grows along the rectangle's local x, v along y: the first texel is at (-, -).
+  // On the rectangle u grows along its local x, v along y: the first texel is at (-, -).
   put_four_texels("light.exr");
   const std::string light =
       glowing("rectangle", "",
@@ -116,9 +117,10 @@ TEST_F(AreaEmitter, wears_its_texture) {
   expect_rgb(seen(light, {0.4, -0.3, 2}, {0.4, -0.3, 0}), RgbD(4, 5, 6));
   expect_rgb(seen(light, {-0.4, 0.3, 2}, {-0.4, 0.3, 0}), RgbD(7, 8, 9));
   expect_rgb(seen(light, {0.4, 0.3, 2}, {0.4, 0.3, 0}), RgbD(10, 11, 12));
-  // And where it lights: one unit above (1/2, -1/4), E is the sum over the texels' squares of colour times the form
-  // of a rectangle between two lines x and two lines y. 1 % are five standard errors and more.
-  const auto corner = [](double x, double y) {  // between the foot of the point and (x, y), signed
+  // The illumination one unit above (1/2, -1/4): E is the sum over the texels' squares of colour times a form factor.
+  // The form factor is that of a rectangle between two lines x and two lines y. A tolerance of 1 % is at least five
+  // standard errors.
+  const auto corner = [](double x, double y) {  // signed, between the foot of the point and (x, y)
     const double a = std::sqrt(1 + x * x), b = std::sqrt(1 + y * y);
     return 0.5 * (x / a * std::atan(y / a) + y / b * std::atan(x / b));
   };

@@ -1,5 +1,6 @@
-// Where on its way light has met nothing yet. A light's ray that is aimed from so far away that a direction in single
-// precision would miss what it is aimed at begins there instead, on a line that is known by a point near its end.
+// The part of a light path's line on which it meets nothing. Some lights are so far away that a direction in single
+// precision would miss the target. Their rays begin at the end of that part instead, on a line known by a point near
+// its end.
 #pragma once
 
 #include <vector>
@@ -13,26 +14,27 @@ struct ClearWays {
   struct Wall {
     Vec3f point, normal;
   };
-  /// Of each light: all shapes but its own and those without end. A mesh may hide parts of itself and counts as others.
+  /// Bounding ball for each light: all shapes except its own and infinite ones. A mesh may hide parts of itself and
+  /// counts as other.
   std::vector<ProjectionTarget> others;
-  std::vector<Wall> walls;  ///< shapes without end
+  std::vector<Wall> walls;  ///< infinite shapes
 };
 
-/// A point of a path's line from the light's point p that nothing is before; not valid where that is nearer to p than
-/// to what is aimed at.
+/// A point of a path's line up to which, from the light's point p on, it meets nothing. Not valid where that is nearer
+/// to p than to the target.
 template <class F>
 struct PointAhead {
   Vec3<F> p;
   Mask<F> valid;
 };
 
-/// The line's point is the one near its end.
+/// Computes that point; the line's own point is the one near its end.
 template <class F>
 PointAhead<F> point_ahead(const ClearWays& ways, const UInt<F>& light, const AimedLine<F>& line, const Vec3<F>& p) {
   const float* base = &ways.others.data()->center.x;
   const UInt<F> first = light * ProjectionTarget::stride;
   const Vec3<F> middle{gather(base, first), gather(base + 1, first), gather(base + 2, first)};
-  // Out of the ball of the others, whichever way, and a little more.
+  // Steps back out of the ball of the other shapes, in any direction, and a little more.
   const F back = 1.001f * (length(Vec3<F>(line.point - middle)) + gather(base + 3, first));
   const Vec3<F> ahead = advance(line.point, F(-back), line.direction);
   Mask<F> valid = 2 * back < length(Vec3<F>(line.point - p));

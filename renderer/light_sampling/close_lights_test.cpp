@@ -1,6 +1,6 @@
-// Lights of all kinds that are a thousandth to a hundred thousand times as large as they are far away: each estimate
-// keeps to its own error, and that error is small. An estimator that hardly ever finds the part of a light that is near
-// fails here by being confidently wrong.
+// Lights of all kinds that are a thousandth to a hundred thousand times as large as their distance. Each estimate must
+// stay within its own error, and that error must be small. An estimator that rarely samples the near part of a light
+// fails here, since its error estimate is far too small.
 
 #include <gtest/gtest.h>
 
@@ -17,12 +17,13 @@ namespace {
 
 constexpr double half_turn = std::numbers::pi;
 
-/// Of a square of half-size s, one away and parallel, over its middle: four times the parallel rectangle at its corner.
+/// Irradiance share of a square of half-size s, parallel at distance 1 over its middle: four times that of the parallel
+/// rectangle at its corner.
 double share_of_square(double s) {
   const double a = s / std::hypot(1, s);
   return 4 * a * std::atan(a) / half_turn;
 }
-/// Coaxial disk s^2/(1 + s^2); sphere at gap 1 (s/(1 + s))^2; cylinder so long that it has no ends, s/(1 + s).
+/// Coaxial disk: s^2/(1 + s^2). Sphere at gap 1: (s/(1 + s))^2. Cylinder of practically infinite length: s/(1 + s).
 double share_of_disk(double s) { return s * s / (1 + s * s); }
 double share_of_sphere(double s) { return s * s / ((1 + s) * (1 + s)); }
 double share_of_cylinder(double s) { return s / (1 + s); }
@@ -30,8 +31,8 @@ double share_of_cylinder(double s) { return s / (1 + s); }
 struct TestLight {
   std::string name;
   std::function<Light(float s)> light;
-  double (*share)(double s);  ///< of pi L, in a point of the plane y = 0 that looks up
-  Vec3d nearest{0, 1, 0};     ///< its point to that
+  double (*share)(double s);  ///< irradiance / (pi L) at a point of the plane y = 0 that faces up
+  Vec3d nearest{0, 1, 0};     ///< nearest point of the light to that
 };
 
 LightShape mesh_square(float s, int cells) {
@@ -51,10 +52,10 @@ LightShape mesh_square(float s, int cells) {
   return MeshShape(positions, faces, {}, false);
 }
 
-/// Where an inward light is nearest: aslant, since what lies along the axes is spared most roundings.
+/// Nearest point of an inward light. It is slanted, since points along the axes avoid most roundings.
 const Vec3d slanted{-0.6, 0.8, 0};
 
-/// Outward above y = 1, inward around what is below `slanted`. Those that are large are told by their offset.
+/// A sphere that shines outward above y = 1, or inward around the space below `slanted`. Large ones use their offset.
 SphereShape ball(float s, float sign) {
   SphereShape shape{sign > 0 ? Vec3f(0, 1 + s, 0) : Vec3f(slanted * (1 - double{s})), s};
   shape.sign = sign;
@@ -104,7 +105,7 @@ std::vector<TestLight> area_lights() {
   };
 }
 
-/// Whose size knows no end.
+/// Lights without an upper limit of size.
 std::vector<TestLight> round_lights() {
   const auto all = [](double) { return 1.0; };
   return {{"sphere", [](float s) { return ball_light(s, 1); }, share_of_sphere},
@@ -118,7 +119,7 @@ struct Estimate {
   double mean = 0, error = 0;
 };
 
-/// Irradiance over pi L by next-event estimation alone.
+/// Irradiance / (pi L) by next-event estimation alone.
 Estimate irradiance(const Light& light, std::uint64_t seed, int samples) {
   const test::Lights lights({light});
   double sum = 0, squares = 0;
@@ -132,7 +133,7 @@ Estimate irradiance(const Light& light, std::uint64_t seed, int samples) {
   return {mean, std::sqrt(std::max(squares / samples - mean * mean, 0.0) / samples)};
 }
 
-/// How far at most a sample's density is from that of its point, relative.
+/// Largest relative difference between a sample's density and that of its point.
 double worst_density(const Light& light, std::uint64_t seed) {
   const test::Lights lights({light});
   double worst = 0;
@@ -145,7 +146,8 @@ double worst_density(const Light& light, std::uint64_t seed) {
 }
 
 TEST(close_lights, irradiance_keeps_to_its_error_from_a_thousandth_to_a_hundred_thousand_times_the_distance) {
-  // 100,000 samples whose worst spread, that of the mesh of 800, is 2.8 times the mean: an error of 4 % shows anywhere.
+  // The worst relative spread of 100,000 samples, that of the mesh of 800, is 2.8: the test detects an error of 4 %
+  // anywhere.
   std::uint64_t seed = 7100;
   for (const TestLight& area_light : area_lights())
     for (int decade = -3; decade <= 5; ++decade) {
@@ -169,7 +171,7 @@ TEST(close_lights, irradiance_of_round_ones_keeps_to_its_error_up_to_a_million_m
 }
 
 TEST(close_lights, a_sphere_that_all_but_touches_fills_the_hemisphere) {
-  // Gaps down to a millionth of the radius, straight below: E = pi L (R/d)^2. Area sampling finds a share gap/R.
+  // Gaps down to a millionth of the radius, straight below: E = pi L (R/d)^2. Only a share gap/R of area samples helps.
   for (const double gap : {1e-3, 1e-4, 5e-5, 1e-5, 1e-6}) {
     const auto d = static_cast<float>(1 + gap);
     const Estimate e = irradiance(SphereLight<float>{{0, d, 0}, 1, 1, Rgb(1)}, 7200, 60'000);
@@ -180,10 +182,10 @@ TEST(close_lights, a_sphere_that_all_but_touches_fills_the_hemisphere) {
 
 // --- photons ---------------------------------------------------------------------------------------------------------
 
-// The flux from within a distance r of the light's nearest point, into each half of the cosine lobe (sin^2 below or
-// above 1/2) and each half of the azimuth, is pi L A / 4: of a flat light A = pi r^2; of a sphere, from the point
-// nearest to p, the cap of that chord has the same area, pi r^2, and a tube so large is flat. Started by another
-// density than is divided by, a part would be brighter or darker: 20 % show, of the nearest parts 5 %.
+// Flux from within a distance r of the light's nearest point. In each half of the cosine lobe (sin^2 below or above
+// 1/2) and each half of the azimuth it is pi L A / 4. For a flat light A = pi r^2. For a sphere, the cap of that chord
+// around the point nearest to p has the same area, and so large a tube is flat. A wrong density would make a part
+// brighter or darker. The test detects 20 %, for the nearest parts 5 %.
 void expect_flux_of_every_part(const TestLight& area_light, float s) {
   constexpr int samples = 150'000;
   const std::vector<ProjectionTarget> seen{{{0, 0, 0}, 0.5f}, {{3, 0, 1}, 2}};
@@ -223,8 +225,8 @@ TEST(close_lights, guided_photons_carry_what_every_part_of_the_light_emits_in_ev
 }
 
 TEST(close_lights, guided_photons_of_a_long_tube_carry_what_it_emits) {
-  // Within z of the middle the side of a cylinder has the area 2 pi R 2z; of one that shines outward that within 30
-  // degrees of the ground is a sixth, which p sees, whose height is a third of the axis's.
+  // Within z of the middle the side of a cylinder has the area 2 pi R 2z. For the outward cylinder the test counts the
+  // sixth whose normals are within 30 degrees of straight down, which p sees.
   for (const float sign : {1.0f, -1.0f}) {
     test::Lights lights(
         {AreaLight(LightShape(CylinderShape{{-1e4f, 3, 0}, {2e4f, 0, 0}, {0, 1, 0}, {0, 0, 1}, 2, sign}), Rgb(1))});
@@ -253,8 +255,8 @@ TEST(close_lights, guided_photons_of_a_long_tube_carry_what_it_emits) {
 
 enum class Kind { quad, disk, sphere, cylinder, mesh };
 
-/// A light of radiance 1 and half-size s over a square floor of albedo 0.5 and half-size `floor`, 5 above it, seen from
-/// half its height: `seen` is the half-width of what the image shows.
+/// A light of radiance 1 and half-size s, 5 above a square floor of albedo 0.5 and half-size `floor`. The camera is at
+/// half that height; `seen` is the half-width of the visible floor.
 SceneDescription floor_under_light(Kind kind, double s, double floor, double light_albedo, double seen) {
   SceneDescription scene;
   const BsdfIndex grey = test::add_bsdf(scene, DiffuseDescription{RgbD(0.5)});
@@ -294,7 +296,7 @@ SceneDescription floor_under_light(Kind kind, double s, double floor, double lig
   return scene;
 }
 
-/// Mean over the image; its error, as the image's variance says, if all pixels shared it.
+/// Mean over the image. Its error follows from the image's variance as if all pixels shared it.
 Estimate rendered(const SceneDescription& scene, const char* integrator, const RenderJob& job) {
   const auto out = test::render(scene, integrator, job);
   return {test::image_mean(out.image.mean), std::sqrt(test::image_mean(*out.image.variance))};
@@ -314,8 +316,8 @@ double share_of(Kind kind, double s) {
 }
 
 TEST(close_lights, camera_paths_keep_to_their_error_under_any_light) {
-  // 64 pixels of 256 samples: errors of a pixel of some percent, of the mean below 1 %. Between the middle and the edge
-  // of what is seen the irradiance falls by less than (0.05/5)^2.
+  // 64 pixels of 256 samples: errors of a pixel are a few percent, of the mean below 1 %. From the middle to the edge
+  // of the visible floor the irradiance falls by less than (0.05/5)^2.
   for (const Kind kind : {Kind::quad, Kind::disk, Kind::sphere, Kind::cylinder, Kind::mesh})
     for (const double s : {5e-3, 0.5, 5.0, 500.0, 1e4, 5e5}) {
       for (const char* integrator : {"photonmapper", "path", "bdpt"}) {
@@ -331,7 +333,7 @@ TEST(close_lights, camera_paths_keep_to_their_error_under_any_light) {
 }
 
 TEST(close_lights, light_paths_start_where_what_is_seen_gets_its_light_from) {
-  // Started evenly, one path of 10^6 to 10^10 would.
+  // With evenly distributed starts, one path in 10^6 to 10^10 would arrive.
   for (const Kind kind : {Kind::quad, Kind::disk, Kind::sphere, Kind::cylinder, Kind::mesh})
     for (const double s : {500.0, 1e4, 5e5}) {
       const Estimate e = rendered(floor_under_light(kind, s, 2, 0, 1), "ptracer", test::job_with(1024));
@@ -343,7 +345,7 @@ TEST(close_lights, light_paths_start_where_what_is_seen_gets_its_light_from) {
 }
 
 TEST(close_lights, between_a_luminous_ceiling_and_a_floor_light_adds_up) {
-  // Both endless for what is seen: B = rho (L + rho_light B), so 0.5 / (1 - 0.25) = 2/3 of the light's radiance.
+  // Both look infinite to the camera: B = rho (L + rho_light B), so 0.5 / (1 - 0.25) = 2/3 of the light's radiance.
   for (const double s : {1e3, 1e5})
     for (const char* integrator : {"photonmapper", "path", "bdpt", "ptracer"}) {
       const SceneDescription scene = floor_under_light(Kind::quad, s, s, 0.5, 2);

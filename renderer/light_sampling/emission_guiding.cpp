@@ -8,23 +8,23 @@
 namespace photonproof::inline renderer_light_sampling {
 namespace {
 
-/// A light is huge where its half-extent is more than this many times its distance: below, what is gained by starting
-/// closer is not worth what is lost by starting there only every other time.
+/// Ratio of half-extent to distance above which a light is huge. Below it, closer starts gain less than the loss from
+/// using them only every other time.
 constexpr float huge = 8;
-/// A light is far away where it is so many times a ball's radius from it: of paths that go everywhere one in a million
-/// hits it.
+/// Distance in radii of a ball from which a light is far away: of unguided paths one in a million hits the ball.
 constexpr float far_away = 256;
-/// What is smaller than this part of the scene, single precision would not hit from outside it: what is aimed at is no
-/// less.
+/// Smallest radius of a target, as a share of the scene. Single precision could not hit smaller targets from outside
+/// the scene.
 constexpr float smallest_place = 0x1p-14f;
 
-/// From the box around a light to p.
+/// Vector from the box around a light to p.
 Vec3f apart_from(const LightBounds& box, const Vec3f& p) {
   const auto beside = [](float low, float high, float x) { return std::max({low - x, x - high, 0.0f}); };
   return {beside(box.low.x, box.high.x, p.x), beside(box.low.y, box.high.y, p.y), beside(box.low.z, box.high.z, p.z)};
 }
 
-/// Whence a ball sees a light: at least its radius away; nothing where that is not near for the light's size.
+/// Point from which a ball's starts are sampled, at least its radius from the light. Empty if that is not near,
+/// compared to the light's size.
 struct Viewpoint {
   const ProjectionTarget& ball;
 
@@ -55,7 +55,7 @@ struct Viewpoint {
     if (std::max(diagonal, other) < 2 * huge * away) return std::nullopt;
     return ball.center + normal * (away - height);
   }
-  /// Before or within a round shape, `out` from its centre or axis and at this height on its front.
+  /// Point in front of or within a round shape; `out` leads from its centre or axis, `height` is above its front.
   std::optional<Vec3f> around(const Vec3d& out, float height, float side, float extent) const {
     const auto distance = static_cast<float>(length(out));
     const float away = std::max(height, ball.radius);
@@ -81,7 +81,7 @@ struct Viewpoint {
     return around(out, static_cast<float>(double{s.sign} * (length(out) - s.radius)), s.sign,
                   static_cast<float>(std::hypot(whole / 2, s.radius)));
   }
-  /// Any other's by the box around it: of a mesh, triangles are chosen from where the ball is.
+  /// Point for other shapes, by their box: a mesh's triangles are chosen from the ball's position.
   std::optional<Vec3f> of_shape(const auto& s) const {
     const LightBounds box = s.bounds();
     if (length(box.high - box.low) < 2 * huge * std::max(length(apart_from(box, ball.center)), ball.radius))
@@ -95,7 +95,7 @@ bool is_far(const Light& light, const ProjectionTarget& ball) {
   return bounds && length(apart_from(*bounds, ball.center)) > far_away * ball.radius;
 }
 
-/// u < 1/2 or not, and what is left of it, uniform again.
+/// Whether u >= 1/2; rescales u to be uniform again.
 bool takes_second_half(float& u) {
   const bool second = u >= 0.5f;
   u = second ? 2 * u - 1 : 2 * u;
@@ -125,7 +125,7 @@ EmissionGuiding::EmissionGuiding(const std::vector<Light>& lights, const std::ve
   }
 }
 
-/// The direction is drawn as without a guide.
+/// Samples the direction as without a guide.
 GuidedStart EmissionGuiding::start_far(const Light& light, const ProjectionTarget& ball, const Vec2<float>& u_position,
                                        const Vec2<float>& u_direction) const {
   GuidedStart start = guided(emit(light, {0.5f, 0.5f}, u_direction));

@@ -1,6 +1,6 @@
-// Every parameter of every emitter of scenes/FORMAT.md, from the scene's text to a pixel: what arrives where, by hand.
-// Numbers are chosen so that no two axes, channels or angles can be confused, and each value holds to 1e-4 or to the
-// noise that is said: an error of 5 %, a mirrored axis or a default that moved fails here.
+// Every parameter of every emitter of docs/formats/scene.md, from the scene's text to a pixel, against values by hand.
+// The numbers make every axis, channel and angle distinguishable. Each value holds to 1e-4 or to the stated noise. An
+// error of 5 %, a mirrored axis or a changed default fails here.
 
 #include <gtest/gtest.h>
 
@@ -28,13 +28,13 @@ TEST_F(EmitterParameters, point_shines_from_its_position_with_its_intensity) {
       "<emitter type='point'><point name='position' value='1, 2, 3'/>"
       "<rgb name='intensity' value='2, 4, 6'/></emitter>";
   expect_rgb(irradiance(light, {1, 2, 0}, {0, 0, 1}), RgbD(2, 4, 6) / 9.0);
-  // From (5,2,0): 3 up, 4 aside; d = 5, cos = 3/5. And 12 behind: (1,-10,-2): d = 13, cos = 5/13.
+  // From (5,2,0): 3 up, 4 aside; d = 5, cos = 3/5. Then 12 behind: (1,-10,-2), d = 13, cos = 5/13.
   expect_rgb(irradiance(light, {5, 2, 0}, {0, 0, 1}), RgbD(2, 4, 6) * (0.6 / 25));
   expect_rgb(irradiance(light, {1, -10, -2}, {0, 0, 1}), RgbD(2, 4, 6) * (5.0 / 13 / 169));
 }
 
 TEST_F(EmitterParameters, point_goes_where_to_world_takes_the_origin) {
-  // (1,2,3) turned by 90 degrees about y is (3,2,-1).
+  // The point (1,2,3) rotated by 90 degrees about y is (3,2,-1).
   const std::string light =
       "<emitter type='point'><transform name='to_world'><scale value='7'/><translate x='1' y='2' "
       "z='3'/><rotate y='1' angle='90'/></transform></emitter>";
@@ -43,7 +43,7 @@ TEST_F(EmitterParameters, point_goes_where_to_world_takes_the_origin) {
 
 // --- spot ------------------------------------------------------------------------------------------------------------
 
-/// Two units from the origin at this angle from +z, to the azimuth from +x over +y, degrees.
+/// Two units from the origin at this angle from +z and this azimuth from +x over +y, in degrees.
 Vec3d around_z(double angle, double azimuth) {
   return Vec3d{std::sin(angle * degree) * std::cos(azimuth * degree),
                std::sin(angle * degree) * std::sin(azimuth * degree), std::cos(angle * degree)} *
@@ -74,7 +74,7 @@ TEST_F(EmitterParameters, spot_falls_linearly_from_beam_width_to_cutoff_angle) {
   expect_rgb(at(wide + narrow, 35), RgbD(3, 2, 1) * 0.5);
   expect_rgb(at(wide + narrow, 50), RgbD(3, 2, 1) * 0.2, 5e-4);
   EXPECT_EQ(at(wide + narrow, 60.5), RgbD(0.0));
-  // Without a beam_width: three quarters, 45 degrees.
+  // Without a beam_width the beam is three quarters of the cut-off: 45 degrees.
   expect_rgb(at(wide, 44), RgbD(3, 2, 1));
   expect_rgb(at(wide, 51), RgbD(3, 2, 1) * 0.6, 5e-4);
 }
@@ -108,12 +108,12 @@ TEST_F(EmitterParameters, spot_projects_its_texture_with_u_along_x_and_v_along_y
   expect_rgb(at("", 0.3, -0.4), colours[1] * lit);
   expect_rgb(at("", -0.3, 0.4), colours[2] * lit);
   expect_rgb(at("", 0.3, 0.4), colours[3] * lit);
-  expect_rgb(at("", 0.03, -0.02), colours[1] * lit);  // the border goes through the middle
+  expect_rgb(at("", 0.03, -0.02), colours[1] * lit);  // the border between texels is in the middle
   // Bilinear, which shows the scale: x = 1/4 is u = 5/8, three quarters of the way between the middles of the columns;
   // y = -1/2 is the middle of the first row.
   expect_rgb(at("", 0.25, -0.5, "bilinear"), (colours[0] * 0.25 + colours[1] * 0.75) * lit, 1e-3);
   expect_rgb(at("", -0.5, 0.25, "bilinear"), (colours[0] * 0.25 + colours[2] * 0.75) * lit, 1e-3);
-  // Turned about its axis by 90 degrees, world (-y, x) is local (x, y): world (0.4, 0.3) is local (0.3, -0.4).
+  // Rotated about its axis by 90 degrees, world (-y, x) is local (x, y): world (0.4, 0.3) is local (0.3, -0.4).
   expect_rgb(at("<transform name='to_world'><rotate z='1' angle='90'/></transform>", 0.4, 0.3), colours[1] * lit);
 }
 
@@ -127,7 +127,7 @@ TEST_F(EmitterParameters, directional_defaults_are_one_along_z) {
 TEST_F(EmitterParameters, directional_travels_along_its_direction_with_its_irradiance) {
   const std::string beam =
       "<emitter type='directional'><vector name='direction' value='2, -6, -3'/>"
-      "<rgb name='irradiance' value='7, 14, 21'/></emitter>";  // of length 7
+      "<rgb name='irradiance' value='7, 14, 21'/></emitter>";  // length 7
   for (const Vec3d p : {Vec3d(0, 0, 0), Vec3d(5, 40, -30)}) {
     expect_rgb(irradiance(beam, p, {0, 1, 0}), RgbD(6, 12, 18));
     expect_rgb(irradiance(beam, p, {-1, 0, 0}), RgbD(2, 4, 6));
@@ -139,7 +139,7 @@ TEST_F(EmitterParameters, directional_travels_along_its_direction_with_its_irrad
 }
 
 TEST_F(EmitterParameters, directional_turns_local_z_by_to_world) {
-  // 90 degrees about y take z to x; neither scale nor translation counts.
+  // Rotation by 90 degrees about y takes z to x; scale and translation have no effect.
   const std::string beam =
       "<emitter type='directional'><transform name='to_world'><rotate y='1' angle='90'/><scale "
       "value='5'/><translate x='3'/></transform></emitter>";
@@ -155,14 +155,14 @@ TEST_F(EmitterParameters, constant_is_its_radiance_everywhere) {
     expect_rgb(seen("<emitter type='constant'><rgb name='radiance' value='1, 0.8, 3'/></emitter>", {}, to),
                RgbD(1, 0.8, 3));
   }
-  // E = pi L; 1 % are ten standard errors.
+  // E = pi L; a tolerance of 1 % is ten standard errors.
   expect_rgb(irradiance("<emitter type='constant'/>", {}, {0, 1, 0}, 1 << 14), RgbD(pi_d), 0.01);
 }
 
 TEST_F(EmitterParameters, envmap_shows_each_column_and_row_in_its_direction) {
-  // Mitsuba's: u = atan2(x, -z) / (2 pi), texel columns at half-integers of u times width; rows at the multiples of
-  // 180 degrees / (height - 1) from +y. Width 8: column 1 is at 1.5 / 8 of a turn, 67.5 degrees; height 5: row 1
-  // stands at 45 degrees.
+  // Mitsuba's convention: u = atan2(x, -z) / (2 pi), texel columns at half-integers of u times width, rows at the
+  // multiples of 180 degrees / (height - 1) from +y. For width 8, column 1 is at 1.5 / 8 of a turn, 67.5 degrees. For
+  // height 5, row 1 is at 45 degrees.
   Image sky(8, 5);
   for (int y = 0; y < 5; ++y)
     for (int x = 0; x < 8; ++x) {
@@ -182,7 +182,7 @@ TEST_F(EmitterParameters, envmap_shows_each_column_and_row_in_its_direction) {
     for (const int row : {1, 2, 3})
       expect_rgb(seen(map(""), {}, towards(column, row)),
                  RgbD(1 + column, 1 + row, column == 1 && row == 1 ? 1.0 : 0.0), 1e-3);
-  // Directly: column 1.5 at +x, between columns 7 and 0 at -z, 3.5 at +z, 5.5 at -x; the poles.
+  // Seen directly: column 1.5 at +x, between columns 7 and 0 at -z, 3.5 at +z, 5.5 at -x; the poles.
   expect_rgb(seen(map(""), {}, {1, 0, 0}), RgbD(2.5, 3, 0), 1e-3);
   expect_rgb(seen(map(""), {}, {0, 0, 1}), RgbD(4.5, 3, 0), 1e-3);
   expect_rgb(seen(map(""), {}, {-1, 0, 0}), RgbD(6.5, 3, 0), 1e-3);
@@ -202,8 +202,9 @@ TEST_F(EmitterParameters, envmap_shows_each_column_and_row_in_its_direction) {
 // --- sunsky ----------------------------------------------------------------------------------------------------------
 
 TEST_F(EmitterParameters, sunsky_is_the_sky_of_its_turbidity_albedo_and_sun) {
-  // The radiances are sky_oracle.py's, as in sky_test.cpp: the zenith for a sun 45 degrees high, by default turbidity
-  // 3 and albedo 0.3; other air and ground; the direction at 50 degrees from a sun in the zenith.
+  // The radiances are from sky_oracle.py, as in sky_test.cpp. Cases: the zenith for a sun 45 degrees high, with the
+  // default turbidity 3 and albedo 0.3; other air and ground. Last, the direction at 50 degrees from a sun in the
+  // zenith.
   const auto sky = [](const std::string& rest) { return "<emitter type='sunsky'>" + rest + "</emitter>"; };
   const std::string diagonal = "<vector name='sun_direction' value='1, 0, 1'/>";
   const RgbD zenith(0.02374932, 0.04151599, 0.0840942);
@@ -214,12 +215,13 @@ TEST_F(EmitterParameters, sunsky_is_the_sky_of_its_turbidity_albedo_and_sun) {
                   {std::sin(50 * degree), 0, std::cos(50 * degree)}),
              RgbD(0.0444047, 0.08706858, 0.1868301), 5e-4);
   const std::string ahead = "<vector name='sun_direction' value='0, 1, 1'/>";
-  // 45 degrees from the zenith, 90 of azimuth from the sun.
+  // The direction is 45 degrees from the zenith, at 90 degrees of azimuth from the sun.
   expect_rgb(seen(sky(ahead + "<float name='albedo' value='0'/>"), {}, {1, 0, 1}),
              RgbD(0.02464066, 0.04461413, 0.08841319), 5e-4);
   expect_rgb(seen(sky(ahead + "<float name='albedo' value='1'/>"), {}, {1, 0, 1}),
              RgbD(0.04400837, 0.07985137, 0.1508994), 5e-4);
-  // sun_direction is in the world, the zenith where to_world takes z: a quarter turn about x, to -y.
+  // World coordinates hold for sun_direction. The zenith is the image of z under to_world: a quarter turn about x, to
+  // -y.
   const std::string turned = "<transform name='to_world'><rotate x='1' angle='90'/></transform>";
   expect_rgb(seen(sky("<vector name='sun_direction' value='1, -1, 0'/>" + turned), {}, {0, -1, 0}), zenith, 5e-4);
   EXPECT_EQ(seen(sky("<vector name='sun_direction' value='1, -1, 0'/>" + turned), {}, {0, 1, 0.01}), RgbD(0.0));
@@ -239,7 +241,7 @@ TEST_F(EmitterParameters, sunsky_has_a_sun_of_its_aperture_and_scale) {
   expect_rgb(at(clear, 0.25), RgbD(22475, 19065, 15070), 5e-5);
   EXPECT_EQ(at(clear, 0.29), RgbD(0.0));
   expect_rgb(at(clear + "<float name='sun_scale' value='2.5'/>", 0), at(clear, 0) * 2.5, 1e-5);
-  // Ten times as wide, a hundredth as bright: (1 - cos(0.2679)) / (1 - cos(2.679)), 0.010001.
+  // A disc ten times as wide is a hundredth as bright: (1 - cos(0.2679)) / (1 - cos(2.679)), 0.010001.
   const std::string wide = clear + "<float name='sun_aperture' value='5.358'/>";
   const double part = (1 - std::cos(0.2679 * degree)) / (1 - std::cos(2.679 * degree));
   expect_rgb(at(wide, 2.6), at(clear, 0) * part, 1e-4);
@@ -247,8 +249,8 @@ TEST_F(EmitterParameters, sunsky_has_a_sun_of_its_aperture_and_scale) {
 }
 
 TEST_F(EmitterParameters, sunsky_puts_the_sun_where_it_is_at_a_place_and_time) {
-  // sun_position_oracle.py, azimuths from north over east. As in Mitsuba +x is south and +y west. A sun of 0.5358
-  // degrees is seen in its middle and 0.2 degrees to all sides, so that it is there to 0.07 degrees.
+  // Values from sun_position_oracle.py, azimuths from north over east. As in Mitsuba +x is south and +y west. The pixel
+  // sees a sun of 0.5358 degrees in its middle and 0.2 degrees to all sides, so its position holds to 0.07 degrees.
   const auto expect_sun = [&](const std::string& when, double zenith, double azimuth) {
     const std::string sky = "<emitter type='sunsky'><float name='sky_scale' value='0'/>" + when + "</emitter>";
     const auto sun_at = [&](double theta, double phi) { return seen(sky, {}, around_z(theta, phi + 180)).y > 0; };
@@ -278,7 +280,7 @@ TEST_F(EmitterParameters, sunsky_puts_the_sun_where_it_is_at_a_place_and_time) {
 
 class IesParameters : public EmitterParameters {
  protected:
-  /// Candela at these angles from the nadir, -z, and from C0, +x, over C90, +y, under the light of `file`.
+  /// Candela at these angles under the light of `file`: from the nadir, -z, and from C0, +x, over C90, +y.
   double candela(const std::string& file, double vertical, double horizontal, const std::string& rest = "") {
     put("light.ies", "IESNA:LM-63-2002\nTILT=NONE\n" + file);
     const Vec3d below = around_z(180 - vertical, horizontal);
@@ -309,25 +311,25 @@ TEST_F(IesParameters, candela_of_the_files_angles_from_the_nadir_and_c0) {
 }
 
 TEST_F(IesParameters, last_horizontal_angle_says_how_the_planes_are_mirrored) {
-  // 90: in both planes.
+  // Horizontal angles to 90: symmetric about both planes.
   for (const double h : {40.0, 140.0, 220.0, 320.0}) EXPECT_NEAR(candela(kQuadrant, 30, h), 50, 1e-2) << h;
   EXPECT_NEAR(candela(kQuadrant, 30, 180), 20, 1e-2);
   EXPECT_NEAR(candela(kQuadrant, 30, 270), 80, 1e-2);
-  // 180: about the plane of C0.
+  // Horizontal angles to 180: symmetric about the plane of C0.
   const std::string half = "1 1000 1 2 3 1 2 0 0 0\n1 1 50\n0 90\n0 60 180\n1 1\n5 5\n9 9\n";
   EXPECT_NEAR(candela(half, 45, 60), 5, 1e-2);
   EXPECT_NEAR(candela(half, 45, 300), 5, 1e-2);
   EXPECT_NEAR(candela(half, 45, 120), 7, 1e-2);
   EXPECT_NEAR(candela(half, 45, 240), 7, 1e-2);
   EXPECT_NEAR(candela(half, 45, 180), 9, 1e-2);
-  // 360: as it stands.
+  // Horizontal angles to 360: as in the file.
   const std::string whole = "1 1000 1 2 5 1 2 0 0 0\n1 1 50\n0 180\n0 90 180 270 360\n1 1\n2 2\n4 4\n8 8\n1 1\n";
   EXPECT_NEAR(candela(whole, 100, 90), 2, 1e-2);
   EXPECT_NEAR(candela(whole, 100, 180), 4, 1e-2);
   EXPECT_NEAR(candela(whole, 100, 225), 6, 1e-2);
   EXPECT_NEAR(candela(whole, 100, 270), 8, 1e-2);
   EXPECT_NEAR(candela(whole, 100, 315), 4.5, 1e-2);
-  // 0: the same all around.
+  // Horizontal angle 0 only: the same at all azimuths.
   const std::string round = "1 1000 1 3 1 1 2 0 0 0\n1 1 50\n90 135 180\n0\n3 6 7\n";
   for (const double h : {10.0, 100.0, 250.0}) EXPECT_NEAR(candela(round, 135, h), 6, 1e-2);
   EXPECT_NEAR(candela(round, 112.5, 0), 4.5, 1e-2);
@@ -335,15 +337,15 @@ TEST_F(IesParameters, last_horizontal_angle_says_how_the_planes_are_mirrored) {
 }
 
 TEST_F(IesParameters, multiplier_ballast_and_light_factors_and_intensity_multiply) {
-  // Lumens, lights, sizes, units and watts do not.
+  // Lumens, lights, sizes, units and watts have no effect.
   const std::string scaled = "4 2500 3 2 1 1 1 9 8 7\n0.5 0.8 99\n0 180\n0\n10 10\n";
   EXPECT_NEAR(candela(scaled, 70, 0), 12, 1e-2);
   EXPECT_NEAR(candela(scaled, 70, 0, "<rgb name='intensity' value='0.25, 1, 1'/>"), 3, 1e-3);
 }
 
 TEST_F(IesParameters, light_is_placed_and_turned_by_to_world) {
-  // A quarter turn about x takes the nadir from -z to +y and C90 from +y to +z; then to (1,2,3). 30 degrees from the
-  // nadir to C90: (0, cos 30, sin 30); to C0: (sin 30, cos 30, 0).
+  // A quarter turn about x takes the nadir from -z to +y and C90 from +y to +z. Then the light moves to (1,2,3). At 30
+  // degrees from the nadir, C90 is in the direction (0, cos 30, sin 30) and C0 in (sin 30, cos 30, 0).
   put("light.ies", "TILT=NONE\n" + kQuadrant);
   const std::string light =
       "<emitter type='ies'><string name='filename' value='light.ies'/><transform name='to_world'>"

@@ -1,5 +1,5 @@
-// Lights so far away that a direction in single precision misses what it lights: light paths are aimed at what is seen,
-// known by a point of their line near it, and their rays begin where they have met nothing yet.
+// Lights so far away that a direction in single precision misses the lit place. Light paths are aimed at visible places
+// and known by a point of their line near the target. Their rays begin at the point up to which they meet nothing.
 
 #include <gtest/gtest.h>
 
@@ -23,7 +23,7 @@ struct FarLight {
   double intensity;  ///< towards the origin, W sr^-1
 };
 
-/// Of a size of a thousandth of their distance, where they have one.
+/// Far lights; those with a size have a thousandth of their distance.
 std::vector<FarLight> far_lights(double distance) {
   const Vec3f at(towards_light * distance), down(-towards_light);
   const auto size = static_cast<float>(1e-3 * distance);
@@ -37,8 +37,8 @@ std::vector<FarLight> far_lights(double distance) {
 }
 
 TEST(far_lights, guided_photons_carry_what_crosses_what_is_seen_and_begin_before_it) {
-  // A ball of radius r takes pi r^2 of what passes. Half of the photons go into one of the two that are seen: an error
-  // of 6 % shows of any.
+  // A ball of radius r receives pi r^2 of the passing irradiance. Half of the photons go into one of the two visible
+  // balls. The test detects an error of 6 % in any ball.
   constexpr int draws = 200'000;
   const std::vector<ProjectionTarget> seen{{{0, 0, 0}, 0.5f}, {{3, 0, 1}, 2}};
   const ProjectionTarget others{{1, 1, 0}, 20};
@@ -78,7 +78,7 @@ TEST(far_lights, guided_photons_carry_what_crosses_what_is_seen_and_begin_before
 
 // --- whole renders ---------------------------------------------------------------------------------------------------
 
-/// A floor and a ball of glass over it under a point `distance` away, whose irradiance is that of a beam.
+/// A floor and a glass ball over it under a point light at this distance, with the irradiance of a beam.
 SceneDescription glass_under_point(double distance) {
   SceneDescription scene;
   test::add_shape(scene, RectangleDescription{}, Transform::rotate({1, 0, 0}, -90) * Transform::scale(Vec3d(4)),
@@ -93,7 +93,7 @@ double mean_of(const SceneDescription& scene, const char* integrator, std::int64
 }
 
 TEST(far_lights, light_floor_and_caustic_as_near_ones_do) {
-  // 1e4 away rays still hit by themselves. Without what the glass gathers the mean would be 9 % less.
+  // From 1e4 away unguided rays still hit. Without the light that the glass gathers the mean would be 9 % less.
   for (const auto& [integrator, spp] : {std::pair{"photonmapper", 64}, {"bdpt", 64}, {"ptracer", 256}}) {
     const double near = mean_of(glass_under_point(1e4), integrator, spp, 50'000);
     for (const double distance : {1e7, 1e9, 1e12})

@@ -1,5 +1,5 @@
-// Next-event estimation of lights at infinity, over random parameters and extreme ones: the directions drawn against
-// their density.
+// Next-event estimation of lights at infinity, over random and extreme parameters: the sampled directions against their
+// density.
 
 #include <gtest/gtest.h>
 
@@ -47,8 +47,9 @@ std::vector<NamedSky> skies() {
     all.push_back({"envmap " + std::to_string(width) + "x" + std::to_string(height),
                    EnvmapSky(random_image(width, height, seed), 1, turned), DirectionCells()});
   }
-  // The real sun and the smallest and largest: a small one is looked at through a cone that is twice as wide. Its limb
-  // is in the middle of cells: between two, what rounds beyond it would count against a cell that expects next to none.
+  // The real sun and the smallest and largest. The cells of a small sun cover a cone that is larger than its disc, so
+  // that its limb lies in the middle of cells. On a border of cells, rounding would move samples into a cell with
+  // almost no expected ones.
   constexpr double degree = std::numbers::pi / 180;
   for (const double aperture : {0.1 * degree, 0.5358 * degree, 3 * degree, 20 * degree, 60 * degree})
     for (const double height : {1.0, 0.5, 0.02}) {

@@ -1,4 +1,4 @@
-// The directions in which photons leave lights, over random parameters and extreme ones, against their density.
+// The directions in which photons leave lights, over random and extreme parameters, against their density.
 
 #include <gtest/gtest.h>
 
@@ -36,7 +36,7 @@ std::vector<Case> spots() {
   return all;
 }
 
-/// The texture changes what a photon carries, not where to it leaves.
+/// Textured spots: the texture changes a photon's flux, not its direction.
 std::vector<Case> textured_spots() {
   std::vector<Case> all;
   std::uint64_t seed = 710;
@@ -52,7 +52,8 @@ std::vector<Case> textured_spots() {
   return all;
 }
 
-/// Lights of random angles and candelas, some of them 0; whole turns, halves, quarters and round ones.
+/// Lights of random angles and candelas, some of them 0. Their horizontal angles span 360, 180, 90 or 0
+/// degrees.
 std::vector<Case> area_lights() {
   std::vector<Case> all;
   for (const double turn : {0.0, 90.0, 180.0, 360.0})
@@ -87,7 +88,7 @@ TEST(light_photons, of_point_like_lights_match_their_density) {
 }
 
 TEST(light_photons, from_infinity_enter_evenly_through_the_disc_that_covers_the_scene) {
-  // Binned by the square of the distance from the middle of the disc and by the azimuth: cells of equal areas.
+  // Bins of the squared distance from the middle of the disc and of the azimuth: cells of equal areas.
   constexpr int rings = 16, sectors = 32, cells = rings * sectors;
   int tests = 0;
   for (const float radius : {1e-3f, 2.0f, 1e5f})
@@ -108,7 +109,7 @@ TEST(light_photons, from_infinity_enter_evenly_through_the_disc_that_covers_the_
         const double x = dot(at, s), y = dot(at, cross(d, s)), turns = std::atan2(y, x) / (2 * std::numbers::pi) + 0.5;
         observed[static_cast<std::size_t>(std::min(static_cast<int>((x * x + y * y) * rings), rings - 1) * sectors +
                                           std::min(static_cast<int>(turns * sectors), sectors - 1))] += 1;
-        // On the disc that faces the scene, a radius before its middle, to a few roundings of 4 radii.
+        // Starts are on the disc facing the scene, a radius before its middle, to a few roundings of 4 radii.
         wrong += std::abs(dot(at, d) + 1) > 4e-6 || x * x + y * y > 1 + 4e-6 || (!sky && e.direction != direction);
         wrong += e.pdfs.second != lights.scene.emit_pdfs(0, {center}, e.direction).second;
       }
@@ -125,9 +126,10 @@ TEST(light_photons, from_infinity_enter_evenly_through_the_disc_that_covers_the_
 }
 
 TEST(light_photons, from_infinity_that_are_guided_carry_what_enters_everywhere) {
-  // Light of irradiance E, or a sky of radiance E/pi from all around, crosses the ball of radius rho around any place
-  // with E pi rho^2 (a sky: times 4, its directions' integral): about the guiding places, across their discs' rims and
-  // beside them. Divided by another density than it is drawn from, a part would be brighter: within them 5 % show.
+  // Flux through the ball of radius rho around any place. For light of irradiance E it is E pi rho^2. A sky of radiance
+  // E/pi from all directions gives 4 times that, from the integral over directions. The places are the guiding places,
+  // the rims of their discs, and beside them. A wrong density would make a part brighter; within the places the test
+  // detects 5 %.
   constexpr int draws = 200'000;
   const SceneBall scene{{1, -2, 0.5f}, 100};
   const std::vector<ProjectionTarget> seen{{{3, 0, 1}, 0.7f}, {{3.5f, 0, 1}, 0.7f}, {{-6, 2, 0}, 2}, {{0, 0, 0}, 50}};

@@ -1,4 +1,4 @@
-// Drawing a light from the table of light_table.h, a lane each.
+// Choosing a light from the table of light_table.h, one per lane.
 #pragma once
 
 #include "renderer/lanes/lane.h"

@@ -1,6 +1,6 @@
-// Surface lights of every kind, sampled from a point and as photons, over random and extreme parameters, against the
-// density that scene_lights.h states for what is drawn. Samples are binned in the surface's own coordinates
-// (test_light_patches.h), where the density of directions, turned to them by cos / distance^2, is smooth.
+// Surface lights of every kind, sampled from a point and as photons, over random and extreme parameters. Samples are
+// compared with the density that scene_lights.h states. They are binned in the surface's own coordinates
+// (test_light_patches.h). There the density of directions, converted by cos / distance^2, is smooth.
 
 #include <gtest/gtest.h>
 
@@ -19,7 +19,8 @@ using test::PatchPoint;
 using test::Random;
 
 constexpr double samples = 1e6;  ///< of photons
-/// Of points that are seen, in 64 cells: 2 % add 180 to their chi-square, which is refused from 90 above its mean on.
+/// Number of visible points, in 64 cells. An error of 2 % adds 180 to their chi-square, which is refused from 90 above
+/// its mean on.
 constexpr double views = 4.5e5;
 /// Gauss's two points, exact for polynomials of the third degree.
 constexpr std::array<double, 2> nodes{0.5 - 0.5 * std::numbers::inv_sqrt3, 0.5 + 0.5 * std::numbers::inv_sqrt3};
@@ -31,7 +32,7 @@ class Cells {
       : patches_(patches), side_(patches.size() == 1 ? whole : of_many) {}
   int side() const { return side_; }
   std::size_t count() const { return patches_.size() * static_cast<std::size_t>(side_ * side_); }
-  /// Of a point on the surface with this normal, which says the patch.
+  /// Cell of a point on the surface; its normal identifies the patch.
   std::size_t of(const Vec3d& p, const Vec3d& n) const {
     std::size_t patch = 0;
     for (std::size_t i = 1; i < patches_.size(); ++i)
@@ -40,7 +41,7 @@ class Cells {
     const auto step = [&](double x) { return static_cast<int>(std::clamp(std::floor(x * side_), 0.0, side_ - 1.0)); };
     return patch * static_cast<std::size_t>(side_ * side_) + static_cast<std::size_t>(step(uv.y) * side_ + step(uv.x));
   }
-  /// Calls value(point, column) at the nodes of a cell; the integral over it of what that gives per du dv.
+  /// Calls value(point, column) at the nodes of a cell and returns its integral over the cell, per du dv.
   template <class Value>
   double integral(std::size_t cell, const Value& value, int finer = 1) const {
     const auto in_patch = static_cast<int>(cell % static_cast<std::size_t>(side_ * side_));
@@ -60,8 +61,8 @@ class Cells {
   int side_;
 };
 
-/// Whether two floats that are each a few roundings of 2^-24 from the same quotient by a cosine differ by more. `blur`:
-/// what the rounding of the light's point makes of its distance.
+/// Whether two floats differ by more than rounding, if each is within a few 2^-24 of the same quotient by a cosine.
+/// `blur` is the relative error of the distance from the rounding of the light's point.
 bool differ(float a, float b, double cosine, double blur = 0, double slant = 1) {
   const double rounding = (0x1p-19 + 4 * blur) * (1 + 1 / std::max(cosine * slant, 1e-30));
   return rounding < 0.5 && std::abs(double{a} - double{b}) > rounding * double{std::max(a, b)};
@@ -80,10 +81,10 @@ void expect_density_of_view(const test::SurfaceLight& light, const Vec3f& p, dou
   const Lights lights({light.light});
   const test::Seen seen = light.seen(Vec3d(p));
   const Cells cells(seen.patches, 8, 4);
-  // As many draws as it takes for so many of them to be on the side that shines on p; where nothing does, every
-  // single one must give nothing.
+  // Enough samples that `views` of them lie on the side that shines on p. Where nothing shines, every sample must have
+  // density 0.
   const auto draws = static_cast<std::uint64_t>(seen.patches.empty() ? views / 10 : views / std::max(seen.share, 0.05));
-  std::vector<double> observed(cells.count() + 1), expected(cells.count() + 1);  // the last: none
+  std::vector<double> observed(cells.count() + 1), expected(cells.count() + 1);  // last bin: no light
   int wrong = 0;
   for (std::uint64_t i = 0; i < draws; ++i) {
     const LightSeen c = lights.scene.sample(p, 0.5f, Random(seed, i).next2());
@@ -93,7 +94,7 @@ void expect_density_of_view(const test::SurfaceLight& light, const Vec3f& p, dou
       continue;
     }
     const Vec3d q(c.at.p), n(c.at.normal), d = q - Vec3d(p);
-    // By the direction: the point's own rounding would show where it is close.
+    // Bins use the direction: the point's own rounding would matter where it is close.
     observed[cells.of(Vec3d(p) + Vec3d(c.wi) * length(d), n)] += 1;
     wrong += differ(c.pdf, lights.scene.pdf(c.light, p, c.at), -dot(n, d) / length(d),
                     0x1p-24 * length(q) / std::min(length(d), light.width), light.slant(q, n));
@@ -122,7 +123,7 @@ void expect_density_of_view(const test::SurfaceLight& light, const Vec3f& p, dou
   if (seen.share < 1 || !seen.share_known) {
     expected.back() = std::max(1 - total, 0.0) * static_cast<double>(draws);
   } else {
-    // At a cylinder's silhouette the cosine of single draws rounds to 0.
+    // At a cylinder's silhouette the cosine of a few samples rounds to 0.
     const bool round = light.name.find("cylinder") != std::string::npos;
     EXPECT_LE(observed.back(), round ? 1e-4 * static_cast<double>(draws) : 0) << "samples lost";
     observed.back() = 0;

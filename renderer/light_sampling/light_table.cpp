@@ -11,15 +11,15 @@ namespace photonproof::inline renderer_light_sampling {
 std::vector<LightWords> light_table(const std::vector<Light>& lights) {
   const std::size_t count = lights.size();
   std::vector<double> share(count);
-  std::array<double, 2> power{};         // of finite and infinite lights
-  std::array<std::size_t, 2> shining{};  // how many they are
+  std::array<double, 2> power{};         // of finite and of infinite lights
+  std::array<std::size_t, 2> shining{};  // number of lights with flux
   for (std::size_t i = 0; i < count; ++i) {
     const Rgb f = flux(lights[i]);
     share[i] = std::max((double{f.x} + f.y + f.z) / 3, 0.0);
     power[is_infinite(lights[i]) ? 1 : 0] += share[i];
     if (share[i] > 0) ++shining[is_infinite(lights[i]) ? 1 : 0];
   }
-  std::array<double, 2> together{1, 1};  // shares of the two groups
+  std::array<double, 2> together{1, 1};  // share of each group
   if (shining[0] > 0 && shining[1] > 0) {
     const auto equal = static_cast<double>(shining[1]) / static_cast<double>(shining[0] + shining[1]);
     together[1] = std::clamp(power[1] / (power[0] + power[1]), std::min(equal, 0.5), 0.5);

@@ -1,4 +1,4 @@
-// How lights are chosen without looking at the place: half by flux, half evenly, in constant time.
+// The choice of lights without regard to position: half by flux, half evenly, in constant time.
 #pragma once
 
 #include <vector>
@@ -8,14 +8,14 @@
 
 namespace photonproof::inline renderer_light_sampling {
 
-/// One entry a light, an alias table of Vose (1991): slot i, drawn uniformly, keeps light i with probability
-/// alias_threshold and stands for `alias` otherwise. A light's probability is the mean of its share of the flux and
-/// of an even share: a weak light next to a surface is found often enough. Lights without any flux get none. Infinite
-/// lights together get at least an even share and at most half: their flux is that into the ball around the scene,
-/// which says little about what lights a place. `primitive` is left to the caller.
+/// One entry per light of an alias table (Vose 1991). Slot i, chosen uniformly, keeps light i with probability
+/// alias_threshold and otherwise gives `alias`. A light's probability is the mean of its share of the flux and of an
+/// even share. So a weak light next to a surface is found often enough. Lights without flux have probability 0.
+/// Infinite lights together get at least an even share and at most half. Their flux is that into the ball around the
+/// scene, which is a poor measure of their effect at a place. The caller sets `primitive`.
 std::vector<LightWords> light_table(const std::vector<Light>& lights);
 
-/// The records of lights that kernels sample in lanes, LightKinds::stride floats each; of others there is none.
+/// Records of the lights that kernels sample in lanes, LightKinds::stride floats each; unused for other lights.
 std::vector<float> light_records(const std::vector<Light>& lights);
 
 }  // namespace photonproof::inline renderer_light_sampling

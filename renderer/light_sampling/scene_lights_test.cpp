@@ -1,5 +1,5 @@
-// The scalar interface of lights: samples against densities, emitted flux, closed forms of what arrives, for every
-// kind.
+// The scalar interface of lights, for every kind: samples against densities, emitted flux, and closed forms of
+// irradiance.
 
 #include "renderer/light_sampling/scene_lights.h"
 
@@ -119,7 +119,7 @@ TEST(scene_lights, a_sample_of_an_environment_has_the_density_and_radiance_of_it
 }
 
 TEST(scene_lights, sampling_an_environment_finds_the_integral_of_its_radiance) {
-  // Mean of L / pdf against the lattice's integral and against what is used as its power.
+  // Compares the mean of L / pdf with the lattice's integral and with the value used as the sky's power.
   for (const Named& sky : skies()) {
     const Lights lights({sky.light});
     double sum = 0;
@@ -136,8 +136,8 @@ TEST(scene_lights, sampling_an_environment_finds_the_integral_of_its_radiance) {
 }
 
 TEST(envmap, looks_where_mitsuba_does) {
-  // +y is up; u = 0 is local -z, u = 1/4 is +x, u = 1/2 is +z; texel columns are at half-integers, rows end at the
-  // poles.
+  // The convention: +y is up; u = 0 is local -z, u = 1/4 is +x and u = 1/2 is +z. Texel columns are at half-integers,
+  // rows end at the poles.
   Image image(4, 3);
   for (int x = 0; x < 4; ++x)
     for (int y = 0; y < 3; ++y)
@@ -153,8 +153,8 @@ TEST(envmap, looks_where_mitsuba_does) {
 }
 
 TEST(scene_lights, surface_samples_match_their_density_from_random_places) {
-  // Along a drawn direction the light's point is known, and so the density. Tested by the mean of 1/pdf x indicator:
-  // the solid angle the light covers, which another estimate, by uniform directions, finds too.
+  // The light's point along a sampled direction is known, and so is the density. The test uses the mean of 1/pdf x
+  // indicator, the light's solid angle. Another estimate, by uniform directions, gives it too.
   for (const Named& named : surface_lights()) {
     const Lights lights({named.light});
     for (std::uint64_t place = 0; place < 4; ++place) {
@@ -173,7 +173,7 @@ TEST(scene_lights, surface_samples_match_their_density_from_random_places) {
         checked += 1;
       }
       ASSERT_GT(checked, 0) << named.name;
-      // Independent: points by area from emission, weighted by cos / d^2.
+      // An independent estimate: points by area from emission, weighted by cos / d^2.
       double by_area = 0;
       for (int i = 0; i < samples; ++i) {
         Random r(241 + place, static_cast<std::uint64_t>(i));
@@ -231,8 +231,8 @@ TEST(scene_lights, directions_of_photons_of_point_like_lights_match_their_densit
 }
 
 TEST(scene_lights, photons_from_infinity_cross_the_ball_evenly) {
-  // Through a small square in the ball, facing up: the flux is E per area, of a directional light straight down E = 3;
-  // of a constant sky pi L from above.
+  // A small square in the ball faces up. The flux through it per area is E. A directional light straight down gives E =
+  // 3, a constant sky pi L from above.
   std::vector<Named> all = skies();
   all.push_back({"directional", DirectionalLight<float>{normalize(Vec3f(0.3f, 0.1f, -1)), Rgb(3), {0, 0, 0}, 2}});
   for (const Named& named : all) {
@@ -272,7 +272,7 @@ TEST(spot_light, falls_linearly_with_the_angle_between_beam_and_cut_off) {
   EXPECT_NEAR(at(0.3), 4.5f, 1e-4f);
   EXPECT_NEAR(at(0.5), 1.5f, 1e-4f);
   EXPECT_EQ(at(0.61), 0);
-  // A beam of a hundredth of a degree keeps its shape.
+  // A beam of a hundredth of a degree has the same shape.
   const SpotLight<float> narrow = spot_light({0, 0, 0}, {0, 0, 1}, Rgb(1), 1e-4, 2e-4);
   EXPECT_NEAR(narrow.sample({1.5e-4f, 0, 1}, {}).radiance.x, 0.5f, 1e-3f);
 }

@@ -1,5 +1,5 @@
-// Sun and sky against Mitsuba's own values (harness/oracles/sky_oracle.py) and against measured daylight: a change of
-// 2 % of any coefficient that matters, of 0.01 % of a radiance as a whole, fails here.
+// Sun and sky against Mitsuba's own values (harness/oracles/sky_oracle.py) and against measured daylight. The test
+// detects a change of 2 % in any coefficient that matters, or of 0.01 % in a radiance as a whole.
 
 #include <gtest/gtest.h>
 
@@ -16,7 +16,7 @@ namespace {
 
 constexpr double pi_d = std::numbers::pi, degree = pi_d / 180;
 
-/// Direction at this angle from the zenith and azimuth from +x over +y, degrees.
+/// Direction at this angle from the zenith and this azimuth from +x over +y, in degrees.
 Vec3d at_angles(double theta, double azimuth) {
   return {std::sin(theta * degree) * std::cos(azimuth * degree), std::sin(theta * degree) * std::sin(azimuth * degree),
           std::cos(theta * degree)};
@@ -44,7 +44,7 @@ double lux(const RgbD& rgb) {
 // --- sky -------------------------------------------------------------------------------------------------------------
 
 TEST(hosek_wilkie, has_every_number_of_the_authors_data) {
-  // Sums by sky_oracle.py over the authors' file; the weighted ones see a digit that is wrong or in another place.
+  // Sums by sky_oracle.py over the authors' file; weighted sums detect a wrong digit or a wrong place.
   struct Sums {
     double shape, shape_weighted, mean, mean_weighted;
   };
@@ -70,12 +70,12 @@ struct Look {
   double turbidity;
   RgbD albedo;
   double sun_height;      ///< degrees above the horizon
-  double theta, azimuth;  ///< of the view: from the zenith, and from the sun's azimuth
+  double theta, azimuth;  ///< of the view: angle from the zenith, and azimuth from the sun's
   RgbD radiance;
 };
 
 TEST(sunsky, sky_is_mitsubas_in_every_direction) {
-  // sky_oracle.py: what Mitsuba 3.9.1 returns. Float directions are 1e-7 off.
+  // Values of Mitsuba 3.9.1 by sky_oracle.py. Float directions are 1e-7 off.
   const std::vector<Look> looks{{3, {0.3, 0.3, 0.3}, 45, 0, 0, {0.02374932, 0.04151599, 0.0840942}},
                                 {3, {0.3, 0.3, 0.3}, 45, 45, 10, {0.1545128, 0.1796169, 0.21764}},
                                 {3, {0, 0, 0}, 45, 45, 90, {0.02464066, 0.04461413, 0.08841319}},
@@ -87,7 +87,7 @@ TEST(sunsky, sky_is_mitsubas_in_every_direction) {
                                 {6.7, {0.5, 0.5, 0.5}, 1, 80, 45, {0.03606999, 0.02641926, 0.01608888}},
                                 {4, {0.9, 0.3, 0.1}, 70, 88, 250, {0.2734875, 0.1910105, 0.1853265}},
                                 {4, {0.1, 0.4, 0.8}, 90, 50, 0, {0.0444047, 0.08706858, 0.1868301}}};
-  // In a sky that is turned and has a size, and whose sun stands at another azimuth.
+  // The sky is also rotated and scaled, with its sun at another azimuth.
   const Transform to_world = Transform::rotate({1, 2, 3}, 77) * Transform::scale(Vec3d(2));
   for (const Look& look : looks) {
     SunSkySettings settings = sky_alone(look.turbidity, look.sun_height);
@@ -102,8 +102,8 @@ TEST(sunsky, sky_is_mitsubas_in_every_direction) {
 }
 
 /// Lux on level ground by a lattice of equal steps of cos^2 and azimuth.
-// The sun alone, small to wide, anywhere and turned anyhow: whatever is drawn is in it, rounded or not, and counts as
-// much as the sun's irradiance.
+// The sun alone, from small to wide, at any position and rotation. Every sampled direction lies in the sun, rounded or
+// not, and has the weight of the sun's irradiance.
 TEST(sun, is_where_it_is_drawn_down_to_the_smallest) {
   test::Random random(77, 0);
   for (const float degrees : {usable_sun_aperture(0), 0.001f, 0.01f, 0.5358f, 20.0f})
@@ -136,9 +136,9 @@ double illuminance_of_ground(const SunSky& sky) {
 }
 
 TEST(sunsky, skylight_on_the_ground_is_that_of_a_clear_day) {
-  // Two independent references. Mitsuba 3.9.1's sky over the same lattice. And the measured clear sky of the IESNA
-  // Lighting Handbook (Gillette and Treado 1983), 800 + 15500 sqrt(sin h) lux, which is 11760 and 15224: the model's
-  // clearest common air, turbidity 2, has 16 and 8 % more.
+  // Two independent references. One is Mitsuba 3.9.1's sky over the same lattice. The other is the measured clear sky
+  // of the IESNA Lighting Handbook (Gillette and Treado 1983). It is 800 + 15500 sqrt(sin h) lux, which is 11760 and
+  // 15224. The model's clearest common air, turbidity 2, has 16 and 8 % more.
   const auto lux_at = [](double turbidity, double height) {
     return illuminance_of_ground(SunSky(sky_alone(turbidity, height)));
   };
@@ -169,10 +169,10 @@ TEST(sunsky, ground_of_a_colour_tints_the_sky) {
 TEST(sunsky, nothing_shines_from_below_the_horizon_nor_when_the_sun_has_set) {
   SunSkySettings settings;
   settings.sun_aperture_radians = 20 * degree;
-  settings.sun_direction = at_angles(85, 0);  // its disc reaches 5 degrees below
+  settings.sun_direction = at_angles(85, 0);  // the disc reaches 5 degrees below
   EXPECT_EQ(SunSky(settings).radiance(Vec3f(at_angles(90.5, 0))), Rgb(0.0f));
   EXPECT_GT(SunSky(settings).radiance(Vec3f(at_angles(89.5, 0))).y, 0.5f);
-  // As Mitsuba's: with the sun all is dark.
+  // As in Mitsuba, everything is dark once the sun is below the horizon.
   settings.sun_direction = at_angles(90.1, 0);
   const SunSky night(settings);
   EXPECT_EQ(night.radiance({0, 0, 1}), Rgb(0.0f));
@@ -207,7 +207,7 @@ TEST(sunsky, sun_is_a_disc_as_wide_as_its_aperture_and_carries_the_same_light) {
     EXPECT_EQ(seen(0.52 * aperture), Rgb(0.0f)) << aperture;
     EXPECT_EQ(seen(-0.52 * aperture), Rgb(0.0f)) << aperture;
     EXPECT_EQ(seen(0.48 * aperture), seen(0)) << "as bright at the limb";
-    // Radiance times solid angle, which is 2 pi (1 - cos), is the sun's irradiance.
+    // Radiance times the solid angle 2 pi (1 - cos) is the sun's irradiance.
     const double solid = 2 * pi_d * (1 - std::cos(aperture / 2 * degree));
     expect_near_by_part(RgbD(seen(0)) * solid, sun_irradiance(50, 3), 1e-5);
     expect_near_by_part(RgbD(sky.irradiance()), RgbD(seen(0)) * solid, 1e-5);
@@ -230,8 +230,8 @@ TEST(sun_irradiance, has_every_number_of_the_data) {
 }
 
 TEST(sun_irradiance, is_mitsubas_at_every_height_and_turbidity) {
-  // sky_oracle.py: Mitsuba 3.9.1's radiance of a sun of 20 degrees times its solid angle. Below 2 degrees the sun is as
-  // it is there; its blue, which is negative, counts as none here.
+  // Reference: sky_oracle.py, Mitsuba 3.9.1's radiance of a sun of 20 degrees times its solid angle. Below 2 degrees
+  // the sun is the same as at 2 degrees; its blue, which is negative, counts as 0 here.
   struct Sun {
     double turbidity, height;
     RgbD irradiance;
@@ -254,9 +254,9 @@ TEST(sun_irradiance, is_mitsubas_at_every_height_and_turbidity) {
 }
 
 TEST(sun_irradiance, is_as_bright_as_measured) {
-  // On a surface that faces the sun, IESNA Lighting Handbook: 127.5 klx above the air, and under a clear sky that times
-  // exp(-0.21 air masses): 83.8, 94.7 and 100.0 klx. The data's clear air, turbidity 2, is 1.6 % above that at 30
-  // degrees of height, and 2.6 and 4.5 % below at 45 and 60.
+  // Illuminance on a surface that faces the sun (IESNA Lighting Handbook). It is 127.5 klx above the air. Under a clear
+  // sky that is multiplied by exp(-0.21 air masses): 83.8, 94.7 and 100.0 klx. The data's clear air, turbidity 2, is
+  // 1.6 % above that at 30 degrees of height, and 2.6 and 4.5 % below at 45 and 60.
   for (const double zenith : {30.0, 45.0, 60.0}) {
     const double measured = 127'500 * std::exp(-0.21 / std::cos(zenith * degree));
     EXPECT_NEAR(lux(sun_irradiance(90 - zenith, 2)), measured, 0.05 * measured) << zenith;

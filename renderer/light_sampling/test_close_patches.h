@@ -1,5 +1,5 @@
-// Surfaces of lights in the angles that a point sees them under, where the density of samples drawn from close by is
-// smooth; test code only. Densities are turned to these coordinates by their Jacobians.
+// Surfaces of lights in coordinates of the angles that they subtend from a point; test code only. There the density of
+// samples from nearby is smooth. Jacobians convert densities to these coordinates.
 #pragma once
 
 #include <array>
@@ -8,14 +8,14 @@
 
 namespace photonproof::test {
 
-/// A flat outline cut into chords: `chord(y)` = where the one at height y begins and ends, from the foot of p.
+/// A flat outline cut into chords. `chord(y)` gives the start and end of the chord at height y, from the foot of p.
 struct Outline {
   Vec3d along, up;
   double low, high;  ///< heights, from the foot of p
   std::function<std::array<double, 2>(double y)> chord;
 };
 
-/// u: the angle of the chord, v: that of the point on it. p lies `height` before the plane.
+/// A patch with u the angle of the chord and v that of the point on it. p lies `height` in front of the plane.
 inline Patch angle_patch(const Vec3d& p, double height, const Vec3d& n, const Outline& o, double area,
                          std::uint32_t triangle = 0) {
   struct Point {
@@ -55,7 +55,7 @@ inline Outline chords_along(const Vec3d& p, const Vec3d& corner, const Vec3d& ed
           }};
 }
 
-/// How far the foot of p is outside of [low, high].
+/// Distance of the foot of p from [low, high].
 inline double beside(const Outline& o) { return std::max({o.low, -o.high, 0.0}); }
 
 inline Patch quad_from(const Vec3d& p, const Vec3d& corner, const Vec3d& u, const Vec3d& v, const Vec3d& n) {
@@ -75,7 +75,7 @@ inline Patch triangle_from(const Vec3d& p, const std::array<Vec3d, 3>& corner, c
                      index);
 }
 
-/// Of an ellipse, chords across the direction in which p is.
+/// The patch of an ellipse; chords run across the direction towards p.
 inline Patch disk_from(const Vec3d& p, const Vec3d& center, const Vec3d& u, const Vec3d& v, const Vec3d& n) {
   const Vec2<double> at = in_basis_of(p - center, u, v);
   const double turned = std::atan2(at.x, at.y);
@@ -91,8 +91,8 @@ inline Patch disk_from(const Vec3d& p, const Vec3d& center, const Vec3d& u, cons
   return angle_patch(p, dot(p - center, n), n, o, std::numbers::pi * length(cross(u, v)));
 }
 
-/// All of a cylinder as p within it sees it, in equal steps of the direction across the axis, then of the angle that
-/// heights are seen under.
+/// A whole cylinder for a point p within it. Coordinates are equal steps of the direction across the axis, then of the
+/// angle that heights subtend.
 inline Patch cylinder_from_within(const Vec3d& p, const Vec3d& base, const Vec3d& axis, double radius) {
   const Vec3d along = normalize(axis), s = any_across(along), t = cross(along, s);
   const double height = dot(p - base, along), whole = length(axis);
@@ -119,8 +119,9 @@ inline Patch cylinder_from_within(const Vec3d& p, const Vec3d& base, const Vec3d
           0};
 }
 
-/// The side of a cylinder that p sees from outside, in equal steps of the angle from p's azimuth as the map phi/2 ->
-/// atan(stretch tan(phi/2)) has it, then of the angle that heights are seen under.
+/// The side of a cylinder that p sees from outside. The first coordinate is in equal steps of the angle from p's
+/// azimuth, mapped by phi/2 -> atan(stretch tan(phi/2)). The second is in equal steps of the angle that heights
+/// subtend.
 inline Patch cylinder_from(const Vec3d& p, const Vec3d& base, const Vec3d& axis, double radius, double sign) {
   const Vec3d along = normalize(axis), from_base = p - base;
   const double height = dot(from_base, along), whole = length(axis);
@@ -159,7 +160,7 @@ inline Patch cylinder_from(const Vec3d& p, const Vec3d& base, const Vec3d& axis,
           0};
 }
 
-/// All of a sphere as p within it sees it, in equal solid angles about the direction away from the centre.
+/// A whole sphere for a point p within it, in equal solid angles about the direction away from the centre.
 inline Patch sphere_from_within(const Vec3d& center, double radius, const Vec3d& p) {
   const Vec3d axis = normalize(p - center), s = any_across(axis), t = cross(axis, s);
   return {[=](double a, double b) {

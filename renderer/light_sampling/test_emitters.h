@@ -1,4 +1,4 @@
-// From a scene's text to one pixel, for tests of what an emitter sends where: nothing is known of how lights are kept.
+// From a scene's text to one pixel, for tests of emitters. These tests do not depend on the representation of lights.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@ namespace photonproof::test {
 
 class EmitterScene : public FolderTest {
  protected:
-  /// The colour of a pixel, 0.01 degrees wide, that looks from `eye` to `target` into a scene with this content.
+  /// Colour of a pixel, 0.01 degrees wide, that looks from `eye` to `target` in a scene with this content.
   RgbD seen(const std::string& content, const Vec3d& eye, const Vec3d& target, std::int64_t spp = 4) const {
     const Vec3d along = normalize(target - eye), up = std::abs(along.y) < 0.9 ? Vec3d{0, 1, 0} : Vec3d{1, 0, 0};
     const std::string text =
@@ -31,7 +31,7 @@ class EmitterScene : public FolderTest {
     return {image.pixel(0, 0)[0], image.pixel(0, 0)[1], image.pixel(0, 0)[2]};
   }
 
-  /// What an emitter sends onto a small surface at p with the normal n: the radiance of white paint there, times pi.
+  /// Irradiance by an emitter on a small surface at p with the normal n: the radiance of white paint there, times pi.
   RgbD irradiance(const std::string& emitter, const Vec3d& p, const Vec3d& n, std::int64_t spp = 4) const {
     const Vec3d normal = normalize(n), up = std::abs(normal.y) < 0.9 ? Vec3d{0, 1, 0} : Vec3d{1, 0, 0};
     const std::string paint = "<shape type='rectangle'><transform name='to_world'><scale value='0.02'/>" +
@@ -45,7 +45,7 @@ class EmitterScene : public FolderTest {
     picture.mean = image;
     write_exr((folder_ / name).string(), picture);
   }
-  /// Two by two texels of the colours 1, 2, 3; 4, 5, 6; ...
+  /// Writes two by two texels of the colours (1, 2, 3), (4, 5, 6) and so on.
   void put_four_texels(const std::string& name) const {
     Image image(2, 2);
     for (std::size_t i = 0; i < image.rgb.size(); ++i) image.rgb[i] = static_cast<float>(i + 1);

@@ -1,6 +1,6 @@
-// The surfaces of lights in coordinates of their own, (u, v) in the unit square, in double precision and from the
-// shapes' equations; test code only. What a sampler draws is binned there, where densities are smooth: a silhouette or
-// an outline is always a border of the square.
+// Surfaces of lights in coordinates (u, v) in the unit square, in double precision and from the shapes' equations; test
+// code only. Samples are binned in these coordinates, where densities are smooth: a silhouette or an outline is always
+// a border of the square.
 #pragma once
 
 #include <functional>
@@ -12,9 +12,9 @@
 namespace photonproof::test {
 
 struct PatchPoint {
-  Vec3d p, n, along;       ///< n: unit, to the side that emits; along: unit, tangent
-  double area = 0;         ///< per du dv
-  double solid_angle = 0;  ///< per du dv from the point it is seen from; 0: as the area has it
+  Vec3d p, n, along;       ///< n: unit, on the emitting side. The tangent `along` is a unit vector.
+  double area = 0;         ///< Area per du dv.
+  double solid_angle = 0;  ///< Solid angle per du dv from the viewing point; 0 if it follows from the area.
   std::uint32_t triangle = 0;
 };
 
@@ -22,15 +22,15 @@ struct Patch {
   std::function<PatchPoint(double u, double v)> at;
   std::function<Vec2<double>(const Vec3d& p)> uv;
   double area = 0;
-  Vec3d facing{0.0};  ///< normal of a flat one
+  Vec3d facing{0.0};  ///< normal of a flat patch
 };
 
-/// What of a light shines on a point, and its share of what the light's sampler draws.
+/// The part of a light that shines on a point, and its share of the light's samples.
 struct Seen {
   std::vector<Patch> patches;
   double share = 0;
-  bool share_known = true;  ///< else at most that
-  int finer = 1;            ///< cells are cut into so many squared for integrals
+  bool share_known = true;  ///< otherwise `share` is an upper bound
+  int finer = 1;            ///< factor of subdivision of cells a side, for integrals
 };
 
 inline double turn(double y, double x) {
@@ -41,7 +41,7 @@ inline Vec3d any_across(const Vec3d& n) {
   return normalize(cross(std::abs(n.x) < 0.6 ? Vec3d(1, 0, 0) : Vec3d(0, 1, 0), n));
 }
 
-/// (a, b) with q = a u + b v.
+/// The solution (a, b) of q = a u + b v.
 inline Vec2<double> in_basis_of(const Vec3d& q, const Vec3d& u, const Vec3d& v) {
   const Vec3d n = cross(u, v);
   const double nn = dot(n, n);
@@ -56,7 +56,7 @@ inline Patch quad_patch(const Vec3d& corner, const Vec3d& u, const Vec3d& v, con
           [=](const Vec3d& p) { return in_basis_of(p - corner, u, v); }, area, n};
 }
 
-/// u: square of the distance from the centre in half axes, v: turns.
+/// Patch with u the squared distance from the centre in half axes, v in turns.
 inline Patch disk_patch(const Vec3d& center, const Vec3d& u, const Vec3d& v, const Vec3d& n) {
   const double area = std::numbers::pi * length(cross(u, v));
   return {[=](double a, double b) {
@@ -70,7 +70,7 @@ inline Patch disk_patch(const Vec3d& center, const Vec3d& u, const Vec3d& v, con
           area, n};
 }
 
-/// u: how far from a towards the opposite side, v: along it.
+/// Patch with u the distance from a towards the opposite side, v the position along it.
 inline Patch triangle_patch(const Vec3d& a, const Vec3d& b, const Vec3d& c, double sign, std::uint32_t index) {
   const Vec3d ab = b - a, ac = c - a, n = normalize(cross(ab, ac)) * sign;
   const double twice = length(cross(ab, ac));
@@ -85,7 +85,7 @@ inline Patch triangle_patch(const Vec3d& a, const Vec3d& b, const Vec3d& c, doub
           twice / 2, n};
 }
 
-/// Between two heights along the axis, which are -1 and 1 at the poles (Archimedes: equal heights, equal areas).
+/// The zone between two heights along the axis; the poles are at -1 and 1 (Archimedes: equal heights, equal areas).
 inline Patch sphere_zone(const Vec3d& center, double radius, double sign, const Vec3d& axis, double low, double high) {
   const Vec3d s = any_across(axis), t = cross(axis, s);
   const double area = 2 * std::numbers::pi * radius * radius * (high - low);
@@ -105,7 +105,7 @@ inline Patch sphere_zone(const Vec3d& center, double radius, double sign, const 
 inline Patch sphere_cap(const Vec3d& center, double radius, const Vec3d& p) {
   const double distance = length(center - p), ratio2 = radius * radius / (distance * distance);
   const Vec3d axis = (center - p) / distance, s = any_across(axis), t = cross(axis, s);
-  const double reach = ratio2 / (1 + std::sqrt(1 - ratio2));  // 1 - cos of the cone
+  const double reach = ratio2 / (1 + std::sqrt(1 - ratio2));  // 1 - cos of the cone's half-angle
   return {[=](double a, double b) {
             const double versine = a * reach, sin2 = versine * (2 - versine), phi = 2 * std::numbers::pi * b;
             const Vec3d across = s * std::cos(phi) + t * std::sin(phi);
@@ -122,7 +122,7 @@ inline Patch sphere_cap(const Vec3d& center, double radius, const Vec3d& p) {
           0};
 }
 
-/// Between two angles about the axis from `start`, unit and perpendicular to it, in radians.
+/// The sector between two angles, in radians about the axis from `start`, unit and perpendicular to it.
 inline Patch cylinder_sector(const Vec3d& base, const Vec3d& axis, const Vec3d& start, double radius, double sign,
                              double from, double to) {
   const Vec3d side = cross(normalize(axis), start);
@@ -135,7 +135,7 @@ inline Patch cylinder_sector(const Vec3d& base, const Vec3d& axis, const Vec3d& 
           [=](const Vec3d& p) {
             const Vec3d q = p - base;
             double phi = std::atan2(dot(q, side), dot(q, start));
-            // The turn in which it lies nearest to the sector's middle.
+            // Picks the turn that is nearest to the sector's middle.
             phi += 2 * std::numbers::pi * std::round(((from + to) / 2 - phi) / (2 * std::numbers::pi));
             return Vec2<double>{(phi - from) / (to - from), dot(q, axis) / dot(axis, axis)};
           },

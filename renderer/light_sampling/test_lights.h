@@ -1,4 +1,4 @@
-// Lights with what a scene keeps beside them, test code only.
+// Lights with the tables that a scene keeps for them, test code only.
 #pragma once
 
 #include <utility>

@@ -1,4 +1,4 @@
-// Surface lights of every kind with random and extreme parameters, what of them a point sees, and points to see them
+// Surface lights of every kind with random and extreme parameters, the parts that a point sees, and points to see them
 // from; test code only.
 #pragma once
 
@@ -18,22 +18,22 @@ struct SurfaceLight {
   std::vector<Patch> whole;
   std::function<Seen(const Vec3d& p)> seen;
   std::vector<Vec3f> places;
-  /// Of a point on it, 1 and less towards a rim where chords end so slantingly that rounding moves their ends.
+  /// Slant at a point on it: 1, and less towards a rim where chords end so obliquely that rounding moves their ends.
   std::function<double(const Vec3d& q, const Vec3d& n)> slant = [](const Vec3d&, const Vec3d&) { return 1.0; };
-  double width = 1e30;  ///< across its thinnest chord: its points' rounding moves the ends of chords
+  double width = 1e30;  ///< width across its thinnest chord: rounding of its points moves the ends of chords
 };
 
 inline Vec3d random_unit(Random& r) { return normalize(Vec3d(square_to_sphere(r.next2()))); }
 inline double random_between(Random& r, double low, double high) { return low + (high - low) * double{r.next()}; }
-/// As the renderer has it. Through memory: GCC 12 drops the rounding of two of three components that it turns to float
-/// and back as a vector, and a light of 1e-4 at a distance of 1e-2 then stands beside its twin in double by 2e-4 of its
+/// Rounds as the renderer does, through memory. GCC 12 drops the rounding of two of three components when it converts
+/// them to float and back as a vector. A light of 1e-4 at a distance of 1e-2 is then off its double twin by 2e-4 of its
 /// radius.
 inline Vec3d rounded(const Vec3d& v) {
   const volatile float x = static_cast<float>(v.x), y = static_cast<float>(v.y), z = static_cast<float>(v.z);
   return {x, y, z};
 }
 
-/// Those of the flat patches whose front the point is on.
+/// The flat patches whose front faces the point.
 inline std::function<Seen(const Vec3d&)> seen_fronts(const std::vector<Patch>& whole) {
   return [whole](const Vec3d& p) {
     Seen seen;
@@ -49,7 +49,8 @@ inline std::function<Seen(const Vec3d&)> seen_fronts(const std::vector<Patch>& w
   };
 }
 
-/// Before a flat light: almost touching it, grazing, at its size's distance and so far that it is a point; last behind.
+/// Points before a flat light: almost touching it, grazing, at its size's distance, and so far that it is a point. The
+/// last is behind.
 inline std::vector<Vec3f> places_before(const Vec3d& center, const Vec3d& u, const Vec3d& v, const Vec3d& n,
                                         Random& r) {
   const double size = std::max(length(u), length(v));
@@ -82,7 +83,7 @@ inline void add_flat(std::vector<SurfaceLight>& all, const Vec3d& at, double siz
   const auto add = [&](const std::string& name, Light light, const Patch& patch, const auto& from, bool round) {
     const auto seen = [=](const Vec3d& p) -> Seen {
       if (dot(n, p - center) <= 0) return {};
-      // Far from a disk density is even over its area; the chords of an angle's equal steps would be uneven.
+      // Far from a disk its density is even over its area; chords in equal steps of the angle would be uneven.
       const bool close = dot(p - center, p - center) < 4 * (dot(u, u) + dot(v, v));
       return {{close || !round ? from(p) : patch}, 1, true, 4};
     };
@@ -97,19 +98,19 @@ inline void add_flat(std::vector<SurfaceLight>& all, const Vec3d& at, double siz
   add("textured quad", AreaLight(QuadShape{Vec3f(corner), uf, vf, nf}, gaudy), quad, quad_seen, false);
   add("disk", DiskLight<float>{Vec3f(center), uf, vf, nf, pi * area, Rgb(1), told_by_corner}, disk, disk_seen, true);
   add("textured disk", AreaLight(DiskShape{Vec3f(center), uf, vf, nf}, gaudy), disk, disk_seen, true);
-  // Textured ones share the others' code: almost touching, close and behind are enough.
+  // Textured lights share the others' code: places almost touching, close and behind suffice.
   for (SurfaceLight& light : all)
     if (light.name.find("textured") == 0) light.places = {light.places[0], light.places[2], light.places[5]};
 }
 
-/// `finest`: the least gap, in radii, that floats of the places have.
+/// The smallest gap, in radii, that the places' floats resolve is `finest`.
 inline void add_spheres(std::vector<SurfaceLight>& all, const Vec3d& at, double size, double finest, Random& r) {
   const Vec3d center = rounded(at);
   const double radius = static_cast<float>(size);
   const Vec3d up = random_unit(r);
   const auto seen_inward = [=](const Vec3d& p) -> Seen {
     if (length(p - center) < radius) return {{sphere_from_within(center, radius, p)}, 1, true, 6};
-    // By area, what shows its emitting side lies beyond the horizon: z = R / distance on the axis to p.
+    // Share of the area: the part whose emitting side p sees lies beyond the horizon, z = R / distance on the axis to p.
     const double horizon = radius / length(p - center);
     return {{sphere_zone(center, radius, -1, normalize(p - center), -1, horizon)}, (horizon + 1) / 2};
   };
@@ -173,7 +174,7 @@ inline void add_cylinders(std::vector<SurfaceLight>& all, const Vec3d& at, doubl
   }
 }
 
-/// Triangles that know nothing of each other, of sizes 1 to 1/100, some slivers.
+/// Independent triangles, of sizes 1 to 1/100, some slivers.
 inline void add_meshes(std::vector<SurfaceLight>& all, const Vec3d& at, double size, Random& r) {
   for (const bool flipped : {false, true}) {
     std::vector<Vec3f> positions;
@@ -196,7 +197,7 @@ inline void add_meshes(std::vector<SurfaceLight>& all, const Vec3d& at, double s
     }
     const std::string name = flipped ? "flipped mesh" : "mesh";
     const MeshShape shape(positions, faces, uvs, flipped);
-    // From close by triangles are chosen by an importance that is above 0 for some that turn out to face away.
+    // From nearby, triangles are chosen by an importance that is above 0 for some that face away.
     const auto seen = [=, fronts = seen_fronts(whole), box = round_bounds(positions)](const Vec3d& p) {
       Seen found = fronts(p);
       const Vec3d diagonal(box.high - box.low), from = p - Vec3d(box.low + box.high) * 0.5;
@@ -209,7 +210,7 @@ inline void add_meshes(std::vector<SurfaceLight>& all, const Vec3d& at, double s
       found.finer = 2;
       return found;
     };
-    // Where a fifth of it is seen at least: a million samples of less take too long.
+    // Places that see at least a fifth of it: a million samples of a smaller part take too long.
     std::vector<Vec3f> places;
     for (const double distance : {0.7, 2.0, 3.0, 1e3}) {
       Vec3f p(0.0f);
@@ -217,11 +218,11 @@ inline void add_meshes(std::vector<SurfaceLight>& all, const Vec3d& at, double s
       while (seen(Vec3d(p)).share < 0.2);
       places.push_back(p);
     }
-    for (const double away : {1e-3, 0.1}) {  // from the middle of a triangle
+    for (const double away : {1e-3, 0.1}) {  // distance from the middle of a triangle
       const std::array<Vec3d, 3>& t = corners[1];
       places.emplace_back((t[0] + t[1] + t[2]) / 3.0 + whole[1].facing * (away * length(t[1] - t[0])));
     }
-    // The least barycentric coordinate: chords vanish in corners.
+    // The smallest barycentric coordinate: chords vanish in corners.
     const auto slant = [whole](const Vec3d& q, const Vec3d& n) {
       const auto less = [&](const Patch& a, const Patch& b) { return dot(a.facing, n) < dot(b.facing, n); };
       const Vec2<double> uv = std::max_element(whole.begin(), whole.end(), less)->uv(q);

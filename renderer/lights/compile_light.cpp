@@ -12,7 +12,7 @@ namespace {
 
 Vec3f axis(const Transform& to_world, const Vec3d& local) { return Vec3f(normalize(to_world.vector(local))); }
 
-/// Two axes of a right-handed frame whose third is `forward`, the first of them near `right`.
+/// The first two axes of a right-handed frame whose third is `forward`; the first is near `right`.
 std::pair<Vec3f, Vec3f> across(const Vec3f& forward, const Vec3f& right) {
   const Vec3f x = normalize(right - forward * dot(right, forward));
   return {x, cross(forward, x)};
@@ -20,7 +20,7 @@ std::pair<Vec3f, Vec3f> across(const Vec3f& forward, const Vec3f& right) {
 
 // --- shapes ----------------------------------------------------------------------------------------------------------
 
-/// What a light has as offset: the centre may be far from what is looked at, which is near the origin.
+/// The offset of a light whose centre may be far from the visible scene, which is near the origin.
 float offset_if_far(const Vec3d& center, double offset) {
   constexpr double far_away = 4096;  // times the surface's distance
   return length(center) > far_away * std::abs(offset) ? static_cast<float>(offset) : told_by_corner;
@@ -38,7 +38,7 @@ QuadShape quad_shape(const Quad& q, const LongFace* face) {
   return {q.corner, q.edge_u, q.edge_v, q.normal, face != nullptr ? static_cast<float>(face->offset) : told_by_corner};
 }
 
-/// From the surface as rays meet it, and what that does not keep of the shape.
+/// Makes the light's shape from the rendered surface, and from the description where the surface lacks data.
 struct LightShaper {
   const Surface& surface;
   const ShapeDescription& shape;
@@ -57,7 +57,7 @@ struct LightShaper {
                        offset_of(s)};
   }
   LightShape operator()(const Mesh& mesh) const {
-    std::vector<Vec3f> positions(mesh.positions.begin(), mesh.positions.end() - 1);  // the last is a spare
+    std::vector<Vec3f> positions(mesh.positions.begin(), mesh.positions.end() - 1);  // the last is padding
     std::vector<Vec2<float>> uvs = mesh.source->uvs;
     if (mesh.flip_v)
       for (Vec2<float>& uv : uvs) uv.y = 1 - uv.y;
@@ -71,7 +71,7 @@ struct LightShaper {
   [[noreturn]] void refuse() const { throw InputError(where, "this shape cannot be a light"); }
 };
 
-/// Quads, spheres and disks have lanes where their radiance is one colour.
+/// Quads, spheres and disks with a radiance of one colour are sampled in lanes.
 Light plain_light(const LightShaper& shaper, const Rgb& radiance) {
   return std::visit(Overloaded{[&](const Quad& q) -> Light {
                                  const QuadShape shape = quad_shape(q, shaper.surface.long_face(0));
@@ -144,7 +144,7 @@ struct Compiler {
   Light sky(Sky s) const { return EnvironmentLight(std::move(s), ball.center, ball.radius); }
 };
 
-/// Choosing lights divides by their flux.
+/// Checks the flux, as choosing lights divides by it.
 Light with_usable_flux(Light light, const std::string& where) {
   const Rgb f = flux(light);
   if (!std::isfinite((f.x + f.y + f.z) / 3))

@@ -1,4 +1,4 @@
-// From the description's emitters and emitting shapes to lights.
+// Turns the description's emitters and emitting shapes into lights.
 #pragma once
 
 #include <functional>
@@ -10,11 +10,11 @@
 
 namespace photonproof::inline renderer_lights {
 
-/// The function of uv that a texture of the description is.
+/// Gives the function of uv that a texture of the description stands for.
 using TextureLookup = std::function<LightTexture(TextureIndex)>;
 
 /// The light of an emitting shape's surface. `to_world` is the shape's, moved to the scene's origin. Throws InputError
-/// at `where` for shapes that cannot emit, or where the flux is beyond single precision.
+/// at `where` for shapes that cannot emit, or where the flux exceeds single precision.
 Light compile_surface_light(const Surface& surface, const ShapeDescription& shape, const Transform& to_world,
                             const TextureLookup& texture, const std::string& where);
 

@@ -1,6 +1,6 @@
-// Every kind of light, as the host sees it: those of light_kinds.h, which kernels also sample in their lanes, and those
-// that need tables, which offer the same as classes. What follows asks one whatever its kind, as light_kinds.h has it;
-// scene_lights.h asks all of a scene.
+// Every kind of light on the host. The kinds of light_kinds.h can also be sampled by kernels in their lanes; kinds that
+// need tables are classes with the same functions. The functions below call one light of any kind. scene_lights.h
+// handles all lights of a scene.
 #pragma once
 
 #include <optional>
@@ -17,7 +17,7 @@ namespace photonproof::inline renderer_lights {
 /// A light's index is its kind in the kernels' tables.
 using Light = LightKinds::VariantWith<AreaLight, EnvironmentLight, IesLight, TexturedSpotLight>;
 
-/// What LightWords::kind says.
+/// Value of LightWords::kind for this light.
 inline std::uint32_t kernel_kind(const Light& light) {
   return std::min(static_cast<std::uint32_t>(light.index()), general_light_kind);
 }
@@ -31,7 +31,7 @@ inline bool is_infinite(const Light& light) {
 inline Rgb flux(const Light& light) {
   return std::visit([](const auto& l) { return l.flux(); }, light);
 }
-/// Nothing for lights that shine on nothing or come from infinity.
+/// Empty for lights that illuminate nothing or come from infinity.
 inline std::optional<LightBounds> light_bounds(const Light& light) {
   const Rgb f = flux(light);
   const float power = (f.x + f.y + f.z) / 3;
@@ -65,7 +65,7 @@ inline Rgb flux_towards(const Light& light, const LightPoint<float>& at, const V
 inline Rgb leaving(const Light& light, const LightPoint<float>& at, const Vec3f& direction) {
   return std::visit([&](const auto& l) { return l.leaving(at, direction); }, light);
 }
-/// The point with its texture coordinates, which lights whose radiance depends on them say by uv_at.
+/// The point with its texture coordinates; lights whose radiance depends on them provide uv_at.
 inline LightPoint<float> with_uv(const Light& light, LightPoint<float> at) {
   std::visit(
       [&](const auto& l) {

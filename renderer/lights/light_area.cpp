@@ -10,7 +10,7 @@
 namespace photonproof::inline renderer_lights {
 namespace {
 
-/// Mean of a texture over a shape: midpoints of a lattice of equal areas, in double.
+/// Mean of a texture over a shape, from midpoints of a lattice of equal areas, in double.
 Rgb mean_over(const LightShape& shape, const LightTexture& texture) {
   constexpr int cells = 64;
   RgbD sum(0.0);
@@ -34,7 +34,7 @@ Vec2<float> solution(const Vec3<T>& d, const Vec3<T>& u, const Vec3<T>& v) {
   return {static_cast<float>((du * vv - dv * uv) / determinant), static_cast<float>((dv * uu - du * uv) / determinant)};
 }
 
-/// The solution (a, b) of a u + b v = d, least squares. Fourth powers of lengths below 1e-7 or above 1e7 take double.
+/// Least-squares solution (a, b) of a u + b v = d. Fourth powers of lengths below 1e-7 or above 1e7 need double.
 Vec2<float> in_basis(const Vec3f& d, const Vec3f& u, const Vec3f& v) {
   const float scale = dot(u, u) * dot(v, v);
   if (scale > 1e-28f && scale < 1e28f) return solution(d, u, v);

@@ -1,7 +1,7 @@
-// Lambertian emission from one side of a shape, for what light_kinds.h has no lanes for: cylinders, meshes, and every
-// shape whose radiance is a texture. Photons start uniformly by area. Seen from a point, quads, disks and spheres are
-// sampled as their kinds in lanes are, cylinders by the angles that their lines are seen under, meshes uniformly by
-// area and from close by by the triangles' importance and the angles those are seen under (light_near.h).
+// Lambertian emission from one side of a shape that light_kinds.h cannot sample in lanes: cylinders, meshes, and every
+// shape whose radiance is a texture. Photons start uniformly by area. From a point, quads, disks and spheres are
+// sampled like their kinds in lanes. Cylinders are sampled by the angles that their lines subtend. Meshes are sampled
+// uniformly by area. From nearby, the triangles' importance and subtended angles are used instead (light_near.h).
 #pragma once
 
 #include <array>
@@ -24,16 +24,16 @@ namespace photonproof::inline renderer_lights {
 
 class LightTree;
 
-/// Shapes draw points uniformly by area, with their texture coordinates (`sample`), and as seen from p (`sample_from`,
-/// with the density `pdf_from`). Coordinates of a point are found by `uv_at`, where to they shine says `bounds`.
+/// Shapes sample points uniformly by area, with their texture coordinates (`sample`), and from p (`sample_from`, with
+/// the density `pdf_from`). `uv_at` gives the coordinates of a point, and `bounds` the directions of emission.
 
-/// A face's plane, with `offset` as light_near.h has it.
+/// A face's plane, with `offset` as in light_near.h.
 struct FacePlane {
   Vec3f normal;
   float offset = told_by_corner;
 };
 
-/// corner + u edge_u + v edge_v; uv = (u, v). `offset` as of a FacePlane.
+/// The points corner + u edge_u + v edge_v, with uv = (u, v). `offset` as in FacePlane.
 struct QuadShape {
   Vec3f corner, edge_u, edge_v, normal;
   float offset = told_by_corner;
@@ -45,7 +45,8 @@ struct QuadShape {
   LightBounds bounds() const { return parallelogram_bounds(corner, edge_u, edge_v, normal); }
 };
 
-/// center + a half_axis_u + b half_axis_v, a^2 + b^2 <= 1; uv = (radius, angle / 2 pi) as Mitsuba's disk has it.
+/// The points center + a half_axis_u + b half_axis_v, a^2 + b^2 <= 1, with uv = (radius, angle / 2 pi) as in Mitsuba's
+/// disk.
 struct DiskShape {
   Vec3f center, half_axis_u, half_axis_v, normal;
   float offset = told_by_corner;
@@ -57,13 +58,13 @@ struct DiskShape {
   LightBounds bounds() const { return ellipse_bounds(center, half_axis_u, half_axis_v, normal); }
 };
 
-/// uv = (azimuth about `up` from `start`, polar angle from `up`), in turns and half turns.
+/// Texture coordinates: (azimuth about `up` from `start`, polar angle from `up`), in turns and half turns.
 struct SphereShape {
   Vec3f center;
   float radius = 1;
   Vec3f start{1, 0, 0}, side{0, 1, 0}, up{0, 0, 1};  ///< unit
   float sign = 1;                                    ///< 1: outward, -1: inward
-  float offset = told_by_corner;                     ///< as of a SphereLight
+  float offset = told_by_corner;                     ///< as in SphereLight
   LightPoint<float> sample(const Vec2<float>& u) const;
   SeenPoint sample_from(const Vec3f& p, const Vec2<float>& u) const;
   float pdf_from(const Vec3f& p, const LightPoint<float>& at) const;
@@ -72,12 +73,13 @@ struct SphereShape {
   LightBounds bounds() const { return round_bounds(center - Vec3f(radius), center + Vec3f(radius)); }
 };
 
-/// Triangles in the world's frame. A triangle is drawn by its area, its normal is geometric.
+/// Triangles in world coordinates. Sampling chooses a triangle by its area; normals are geometric.
 class MeshShape {
  public:
   using Triangle = std::array<std::uint32_t, 3>;
-  /// `uvs` per vertex or empty, when uv are the triangle's barycentric coordinates. `flipped`: normals are opposite to
-  /// the winding's. What is passed is copied. `long_faces`: of those that positions do not say exactly enough, or null.
+  /// The `uvs` are per vertex or empty, when uv are the triangle's barycentric coordinates. `flipped` reverses the
+  /// normals of the winding. Arguments are copied. `long_faces` lists faces whose positions are not exact enough; may
+  /// be null.
   MeshShape(std::vector<Vec3f> positions, std::vector<Triangle> triangles, std::vector<Vec2<float>> uvs, bool flipped,
             LongFaces long_faces = nullptr);
   LightPoint<float> sample(const Vec2<float>& u) const;
@@ -90,25 +92,25 @@ class MeshShape {
  private:
   Vec2<float> uv_of(const Triangle& t, float weight_b, float weight_c) const;
   LightPoint<float> point_on(std::uint32_t triangle, const Vec2<float>& u) const;
-  /// The face as rays meet it, or null where positions say enough.
+  /// The face as rays meet it, or null where positions are exact enough.
   const LongFace* long_face(std::uint32_t triangle) const;
-  /// The triangle that a point is on which was met on this one: near an edge of a long face rays may take its
+  /// The triangle of a point that a ray met on `at.triangle`. Near an edge of a long face the point may lie on a
   /// neighbour.
   std::uint32_t triangle_at(const LightPoint<float>& at) const;
-  /// Of a triangle that p is close to.
+  /// Data for sampling a triangle that p is close to.
   std::optional<CloseTriangle> close_triangle(std::uint32_t triangle, const Vec3f& p) const;
-  /// Density per solid angle at p of the point at this offset on a triangle that has been chosen.
+  /// Density per solid angle at p of the point at this offset on the chosen triangle.
   float pdf_on(std::uint32_t triangle, const Vec3f& p, const Vec3f& offset) const;
 
   std::vector<Vec3f> positions_;
   std::vector<Triangle> triangles_;
   std::vector<Vec2<float>> uvs_;
-  std::vector<FacePlane> planes_;  ///< of each triangle
+  std::vector<FacePlane> planes_;  ///< plane of each triangle
   LongFaces long_faces_;
   float area_;
   DiscreteDistribution by_area_;
-  Vec3f center_;            ///< of the box around it
-  float half_extent2_ = 0;  ///< of its diagonal
+  Vec3f center_;            ///< centre of the box around it
+  float half_extent2_ = 0;  ///< squared half of its diagonal
   std::shared_ptr<const LightTree> by_importance_;
 };
 
@@ -134,7 +136,7 @@ class AreaLight {
     return std::visit([](const auto& shape) { return shape.bounds(); }, shape_);
   }
   const LightShape& shape() const { return shape_; }
-  /// Of a point on the shape; of a mesh, on its triangle. Constant radiance needs none: 0.
+  /// Texture coordinates of a point on the shape; for a mesh, on its triangle. Constant radiance needs none: 0.
   Vec2<float> uv_at(const LightPoint<float>& at) const;
 
  private:
@@ -143,7 +145,7 @@ class AreaLight {
   LightShape shape_;
   float area_;
   Rgb radiance_{0.0f};
-  LightTexture texture_;  ///< empty: `radiance_`
+  LightTexture texture_;  ///< empty for a constant `radiance_`
   Rgb flux_{0.0f};
 };
 

@@ -11,22 +11,23 @@
 namespace photonproof::inline renderer_lights {
 namespace {
 
-/// A cylinder's points by the angle about the axis from where p is, phi, and the height z above p, along the axis. With
-/// rho the distance of p from the axis and D^2 = rho^2 + R^2 - 2 rho R cos(phi) that of the line at phi, z is drawn by
-/// the angle that it is seen under, p(z | phi) ~ 1/(D^2 + z^2), and phi
-///   from outside by p(phi) ~ 1/D^2, half of whose integral is t: tan(phi/2) = tan(t) / stretch
-///   from within by the angle psi that it is seen under, to the direction away from the axis
-/// In double: of a light far away the differences of arc tangents are small. By the gap rho - R and the versine
-/// 1 - cos(phi): of a light close by those are.
+/// Coordinates of a cylinder's points: phi, the angle about the axis from the azimuth of p, and z, the height above p
+/// along the axis. The distance of p from the axis is rho. That from the line at phi is D, with
+/// `D^2 = rho^2 + R^2 - 2 rho R cos(phi)`. Along a line z is sampled by the angle that it subtends,
+/// p(z | phi) ~ 1/(D^2 + z^2).
+///   From outside, phi is sampled by p(phi) ~ 1/D^2. Half of its integral is t: tan(phi/2) = tan(t) / stretch.
+///   From within, it is sampled by the angle psi of its direction to the direction away from the axis.
+/// Double precision is needed because differences of arc tangents are small for a distant light. For a close light the
+/// gap rho - R and the versine 1 - cos(phi) are the small quantities, so these are used.
 struct SeenCylinder {
-  Vec3d from_axis, side, along;  ///< unit: to p, and the other two axes
+  Vec3d from_axis, side, along;  ///< Unit vectors: towards p, and the other two axes.
   double rho, radius, low, high;
-  double gap;        ///< rho - R
-  double least_gap;  ///< of p on the cylinder
-  double span;       ///< high - low, of which those two keep no digits where the light is a speck
+  double gap;        ///< The difference rho - R.
+  double least_gap;  ///< Smallest gap, for p on the cylinder.
+  double span;       ///< The difference high - low, whose digits those two lose where the light is tiny.
   bool within;
-  double stretch = 0;          ///< from outside (rho + R) / (rho - R)
-  double from = 0, range = 0;  ///< of t or psi; empty where nothing shines on p
+  double stretch = 0;          ///< from outside: (rho + R) / (rho - R)
+  double from = 0, range = 0;  ///< range of t or psi; empty where nothing shines on p
 
   SeenCylinder(const CylinderShape& s, const Vec3f& p) : radius(s.radius) {
     const Vec3d d = Vec3d(p) - s.base;
@@ -58,19 +59,19 @@ struct SeenCylinder {
   };
   Line line(double u) const {
     const double angle = from + u * range, sine = std::sin(angle), cosine = std::cos(angle);
-    if (within) {  // where the ray at psi leaves the circle
+    if (within) {  // point where the ray at psi leaves the circle
       const double b = rho * cosine, root = std::sqrt(std::max(radius * radius - rho * rho * sine * sine, 0.0));
       const double distance = b > 0 ? -gap * (rho + radius) / (b + root) : root - b;
       return {-(gap + distance * cosine) / radius, distance * sine / radius};
     }
     const double whole = std::hypot(sine, stretch * cosine);
-    const double sin_half = sine / whole, cos_half = stretch * cosine / whole;  // of phi
+    const double sin_half = sine / whole, cos_half = stretch * cosine / whole;  // half of phi
     return {2 * sin_half * sin_half, 2 * sin_half * cos_half};
   }
   double distance2(double versine) const {
     return std::max(gap * gap + 2 * rho * radius * versine, least_gap * least_gap);
   }
-  /// The angle that the line is seen under, whose distance is d.
+  /// The angle that a line at distance d subtends.
   double angle(double d) const { return std::atan2(d * span, d * d + low * high); }
   double per_solid_angle(double versine, double z, double sign) const {
     const double facing = sign * (gap - rho * versine);  // D times the cosine at the light, across the axis
@@ -100,7 +101,7 @@ Vec2<float> CylinderShape::uv_at(const LightPoint<float>& at) const {
 
 SeenPoint CylinderShape::sample_from(const Vec3f& p, const Vec2<float>& u) const {
   const SeenCylinder seen(*this, p);
-  if (!(seen.range > 0)) {  // any point, which gives nothing
+  if (!(seen.range > 0)) {  // any point, with density 0
     const LightPoint<float> point = sample(u);
     return {point, point.p - p, 0};
   }
@@ -117,8 +118,8 @@ SeenPoint CylinderShape::sample_from(const Vec3f& p, const Vec2<float>& u) const
 float CylinderShape::pdf_from(const Vec3f& p, const LightPoint<float>& at) const {
   const SeenCylinder seen(*this, p);
   const Vec3d offset = Vec3d(at.p) - Vec3d(p), normal = Vec3d(at.normal) * double{sign};
-  // The angle by the normal: far from the origin a thin cylinder's points have few digits of it. And normals have few
-  // of a huge one's near the origin.
+  // The angle from the normal: far from the origin a thin cylinder's points have few digits of it. Near the origin a
+  // huge cylinder's normals have few digits of it.
   const bool by_place = std::max(length(Vec3d(p)), length(Vec3d(at.p))) < radius;
   const Vec3d outward = by_place ? (offset + seen.from_axis * seen.rho) * (1 / radius) : normal;
   const double x = dot(outward, seen.from_axis), y = dot(by_place ? offset * (1 / radius) : normal, seen.side);
@@ -135,7 +136,7 @@ LightBounds CylinderShape::bounds() const {
 }
 
 CylinderShape light_shape(const Cylinder& cylinder, const ShapeDescription& shape, const Transform& to_world) {
-  // Mitsuba turns the cylinder's local z to p1 - p0 by its own frame; u starts at that frame's first axis.
+  // Mitsuba rotates the cylinder's local z to p1 - p0 by its own frame; u starts at that frame's first axis.
   const auto& c = std::get<CylinderDescription>(shape.geometry);
   const Vec3d along = c.p1 - c.p0;
   const Frame<float> frame(Vec3f(normalize(along)));

@@ -1,4 +1,4 @@
-// A cylinder that emits (light_area.h). Seen from a point it is sampled by the angles that its lines are seen under.
+// A cylinder that emits (light_area.h). From a point it is sampled by the angles that its lines subtend.
 #pragma once
 
 #include "renderer/lights/light_bounds.h"
@@ -13,7 +13,7 @@ namespace photonproof::inline renderer_lights {
 
 /// The curved side: base + radius (cos(2 pi u) start + sin(2 pi u) side) + v axis.
 struct CylinderShape {
-  Vec3d base, axis;   ///< `axis` reaches to the other end; in double, as the cylinder's (cylinder.h)
+  Vec3d base, axis;   ///< `axis` is the vector to the other end; in double, as in cylinder.h
   Vec3f start, side;  ///< unit
   double radius = 1;
   float sign = 1;  ///< 1: outward, -1: inward
@@ -25,8 +25,8 @@ struct CylinderShape {
   LightBounds bounds() const;
 };
 
-/// From the surface as rays meet it, and what that does not keep of the shape, a cylinder. `to_world` as of
-/// compile_surface_light.
+/// Makes the light's shape from a rendered cylinder, and from the description where the surface lacks data. `to_world`
+/// is that of compile_surface_light.
 CylinderShape light_shape(const Cylinder& cylinder, const ShapeDescription& shape, const Transform& to_world);
 
 }  // namespace photonproof::inline renderer_lights

@@ -1,4 +1,4 @@
-// How the shapes of light_area.h are sampled from a point.
+// Sampling of the shapes of light_area.h from a point.
 
 #include <algorithm>
 #include <array>
@@ -38,8 +38,8 @@ float SphereShape::pdf_from(const Vec3f& p, const LightPoint<float>& at) const {
 // --- meshes ----------------------------------------------------------------------------------------------------------
 
 CloseTriangle::CloseTriangle(const Vec3f& p, float height, const std::array<Vec3d, 3>& corner) {
-  // Chords parallel to the edge that p is furthest beside. In double: where two large triangles meet above p, rounding
-  // would leave a gap between them.
+  // Chords are parallel to the edge that p is furthest outside of. Double precision is needed: where two large
+  // triangles meet above p, rounding would leave a gap between them.
   double furthest = -std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < 3; ++i) {
     const Vec3d &from = corner[i], edge = corner[(i + 1) % 3] - from, other = corner[(i + 2) % 3] - from;
@@ -59,7 +59,8 @@ CloseTriangle::CloseTriangle(const Vec3f& p, float height, const std::array<Vec3
 const LongFace* MeshShape::long_face(std::uint32_t triangle) const { return find_long_face(long_faces_, triangle); }
 
 std::uint32_t MeshShape::triangle_at(const LightPoint<float>& at) const {
-  // Single precision tells its edges apart to this part of their length; neighbours are in its plane up to rounding.
+  // Single precision resolves the face's edges to this fraction of their length; neighbours lie in its plane up to
+  // rounding.
   constexpr double unsure = 1e-6, same_plane = 0x1p-21;
   const LongFace* met = long_face(at.triangle);
   const Vec3d p(at.p);

@@ -64,7 +64,7 @@ LightBounds merge(const LightBounds& a, const LightBounds& b) {
   const Vec3f about = cross(wide.axis, narrow.axis);
   const float sine = length(about);
   if (!(sine > 1e-6f)) return both;  // opposite axes: any cone between them
-  // The wide axis turned towards the narrow one until the far sides are equally far.
+  // Turns the wide axis towards the narrow one until the far sides are equally far.
   const float turn = spread - wide.spread;
   const Vec3f across = cross(about / sine, wide.axis);
   both.axis = normalize(wide.axis * std::cos(turn) + across * std::sin(turn));
@@ -88,8 +88,8 @@ float LightImportance::at(const Vec3f& p) const {
   const float distance2 = dot(d, d), radius2 = radius_ * radius_;
   const float nearest2 = std::max(distance2, radius2);
   if (distance2 <= radius2 || !(distance2 > 0)) return nearest2 > 0 ? power_ / nearest2 : power_;
-  // The smallest angle that any normal can make with the direction to p, over all points of the box: that with the axis
-  // less the spread, less what the box is seen under, no less than 0.
+  // The smallest angle of any normal to the direction to p, over all points of the box. It is the angle to the axis,
+  // less the spread, less the angle that the box subtends, at least 0.
   struct Angle {
     float cos, sin;
     Angle less(float cos_other, float sin_other) const {

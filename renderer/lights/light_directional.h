@@ -9,9 +9,9 @@ namespace photonproof::inline renderer_lights {
 template <class F>
 struct DirectionalLight {
   static constexpr bool is_delta = true, is_infinite = true;
-  Vec3<F> direction;   ///< unit: where the light travels
-  Vec3<F> irradiance;  ///< W m^-2 on a surface that faces it
-  Vec3<F> center;      ///< of the ball around the scene
+  Vec3<F> direction;   ///< unit direction of travel
+  Vec3<F> irradiance;  ///< W m^-2 on a surface facing the light
+  Vec3<F> center;      ///< centre of the ball around the scene
   F radius;
 
   LightSample<F> sample(const Vec3<F>& p, const Vec2<F>&) const {
@@ -25,7 +25,7 @@ struct DirectionalLight {
     return {{advance(center, radius, across)}, direction, flux()};
   }
   EmissionPdfs<F> emit_pdfs(const LightPoint<F>&, const Vec3<F>&) const { return {F(1.0f), 1 / disc_area()}; }
-  /// There is no other direction.
+  /// No flux leaves in any other direction.
   Vec3<F> flux_towards(const LightPoint<F>&, const Vec3<F>&) const { return Vec3<F>(F(0.0f)); }
   Vec3<F> flux() const { return irradiance * disc_area(); }
   Vec3<F> leaving(const LightPoint<F>&, const Vec3<F>&) const { return irradiance; }

@@ -1,5 +1,5 @@
-// Lambertian emission from one side of an ellipse (a disc under an affine map), sampled uniformly by area, from close
-// to it by the angles that it is seen under (light_near.h).
+// Lambertian emission from one side of an ellipse (a disc under an affine map). It is sampled uniformly by area, and
+// from nearby by the angles that it subtends (light_near.h).
 #pragma once
 
 #include "renderer/lanes/warp.h"
@@ -16,7 +16,7 @@ struct DiskLight {
   Vec3<F> normal;
   F area;
   Vec3<F> radiance;  ///< W m^-2 sr^-1
-  F offset;          ///< normal . x of its points, where the centre is too far off (light_near.h)
+  F offset;          ///< normal . x of its points, where the centre is too distant (light_near.h)
 
   LightSample<F> sample(const Vec3<F>& p, const Vec2<F>& u) const {
     const Vec3<F> p_light = point(u);
@@ -35,7 +35,7 @@ struct DiskLight {
     return density;
   }
   Mask<F> is_close_to(const Vec3<F>& p) const { return is_close(p, center, most_half_extent2()); }
-  /// The longest half axis is within the root of the sum of both squares.
+  /// The longest half axis is at most the root of the sum of both squares.
   F most_half_extent2() const { return dot(half_axis_u, half_axis_u) + dot(half_axis_v, half_axis_v); }
   F height(const Vec3<F>& p) const { return height_above(p, center, normal, offset); }
   CloseEllipse<F> shape_from(const Vec3<F>& p) const {

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double radians = std::numbers::pi / 180;
 
-/// The interval of `angles`, at least two and ascending, that holds `angle`, and where in it.
+/// The interval of `angles`, at least two and ascending, that contains `angle`, and the fraction within it.
 std::pair<std::size_t, double> locate(const std::vector<double>& angles, double angle) {
   const auto above = std::upper_bound(angles.begin() + 1, angles.end() - 1, angle);
   const auto index = static_cast<std::size_t>(above - angles.begin()) - 1;
@@ -35,7 +35,7 @@ IesLight::IesLight(const Vec3f& position, const Vec3f& c0, const Vec3f& c90, con
       zenith_(zenith),
       intensity_(intensity),
       vertical_(profile.vertical_degrees) {
-  // The file's planes, mirrored until they go all around.
+  // The file's planes, mirrored until they cover all azimuths.
   const std::size_t rows = vertical_.size();
   const auto& planes = profile.horizontal_degrees;
   const auto add_plane = [&](double degrees, std::size_t plane) {
@@ -83,7 +83,7 @@ Emission<float> IesLight::emit(const Vec2<float>&, const Vec2<float>& u) const {
   const DiscreteDistribution::Drawn drawn = cells_.sample(u.x);
   const std::size_t row = drawn.index / columns(), column = drawn.index % columns();
   const double top = std::cos(vertical_[row] * radians), bottom = std::cos(vertical_[row + 1] * radians);
-  const double down = top + (bottom - top) * double{drawn.u};  // cosine to the nadir
+  const double down = top + (bottom - top) * double{drawn.u};  // cosine of the angle to the nadir
   const double phi = (horizontal_[column] + (horizontal_[column + 1] - horizontal_[column]) * double{u.y}) * radians;
   const double across = std::sqrt(std::max(0.0, 1 - down * down));
   const Vec3f direction = c0_ * static_cast<float>(across * std::cos(phi)) +

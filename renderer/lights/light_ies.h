@@ -15,8 +15,8 @@ class IesLight {
  public:
   static constexpr bool is_delta = true, is_infinite = false;
 
-  /// `c0`, `c90`, `zenith`: unit, right-handed; vertical angles are measured from -zenith, horizontal ones from c0
-  /// towards c90. Outside of the file's vertical angles there is no light.
+  /// The unit vectors `c0`, `c90` and `zenith` form a right-handed frame. Vertical angles are measured from -zenith,
+  /// horizontal ones from c0 towards c90. Outside the file's vertical angles the light is 0.
   IesLight(const Vec3f& position, const Vec3f& c0, const Vec3f& c90, const Vec3f& zenith, const Rgb& intensity,
            const IesProfile& profile);
 
@@ -30,7 +30,7 @@ class IesLight {
   LightBounds bounds() const { return round_bounds(position_, position_); }
 
  private:
-  /// Candela at the angles, degrees; 0 outside of the file's vertical ones.
+  /// Candela at the angles, in degrees; 0 outside the file's vertical ones.
   double candela(double vertical, double horizontal) const;
   double candela_towards(const Vec3f& direction) const;
   std::size_t cell_of(std::size_t row, std::size_t column) const { return row * columns() + column; }
@@ -39,9 +39,9 @@ class IesLight {
 
   Vec3f position_, c0_, c90_, zenith_;
   Rgb intensity_;
-  std::vector<double> vertical_, horizontal_;  ///< degrees; horizontal from 0 to 360
-  std::vector<double> candela_;                ///< horizontal x vertical
-  DiscreteDistribution cells_;                 ///< between neighbouring angles, by flux
+  std::vector<double> vertical_, horizontal_;  ///< in degrees; horizontal from 0 to 360
+  std::vector<double> candela_;                ///< indexed horizontal x vertical
+  DiscreteDistribution cells_;                 ///< cells between neighbouring angles, by flux
   Rgb flux_{0.0f};
 };
 

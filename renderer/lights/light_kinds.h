@@ -1,16 +1,15 @@
-// The lights that kernels sample in their lanes: structs of floats, each in light_<name>.h, that offer
-//   sample(p, u)             a point of the light seen from p (next-event estimation), density per solid angle at p
-//   pdf(p, at)               that density for a ray from p that found the light's point by itself (for MIS)
-//   emit(u, v)               a photon's start and what it carries
-//   emit_pdfs(at, d)         the densities of a start there in direction d
-//   flux_towards(at, d)      W sr^-1: what a photon that starts there carries towards d, over the density of its
-//                            position only
-//   leaving(at, d)           radiance from a point in direction d; 0 from behind. Of a light without surface the
-//                            intensity, of a directional one the irradiance
-//   flux()                   total emitted flux, W per channel
-//   bounds()                 of a light that is not infinite: where it is and where to it shines (light_bounds.h)
-//   is_delta                 a ray cannot find it
-//   is_infinite              it has directions, but no points
+// The lights that kernels sample in their lanes. Each is a struct of floats in light_<name>.h with these members.
+//   `sample(p, u)`: a point of the light for the point p (next-event estimation), with its density per solid angle.
+//   `pdf(p, at)`: that density for a ray from p that met the light's point by itself (for MIS).
+//   `emit(u, v)`: a photon's start and flux.
+//   `emit_pdfs(at, d)`: the densities of a start there in direction d.
+//   `flux_towards(at, d)`: a photon's flux from there towards d, over the density of its position only; W sr^-1.
+//   `leaving(at, d)`: radiance from a point in direction d; 0 from behind. For lights without surface it is the
+//                     intensity, for directional ones the irradiance.
+//   `flux()`: total emitted flux, W per channel.
+//   `bounds()`: position and directions of a light that is not infinite (light_bounds.h).
+//   `is_delta`: a ray cannot find it.
+//   `is_infinite`: it has directions, but no points.
 #pragma once
 
 #include "renderer/lanes/kind_list.h"
@@ -27,8 +26,8 @@ namespace photonproof::inline renderer_lights {
 /// One row a light.
 using LightKinds = KindList<QuadLight, SphereLight, PointLight, DiskLight, SpotLight, DirectionalLight>;
 
-/// In LightWords::kind and SceneView::light_kinds: every kind that needs tables, which kernels ask scene_lights.h
-/// about.
+/// Value in LightWords::kind and SceneView::light_kinds for every kind that needs tables; kernels call scene_lights.h
+/// for these.
 inline constexpr std::uint32_t general_light_kind = LightKinds::count;
 
 }  // namespace photonproof::inline renderer_lights

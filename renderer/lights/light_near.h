@@ -1,13 +1,14 @@
-// Sampling a flat light from a point that is close for its size. Points drawn uniformly by area would nearly all be far
-// away: of a light of half-size S at height h only a share (h/S)^2 lies where the light comes from. Here the light is
-// cut into parallel chords, and both the chord and the point on it are drawn by the angle they are seen under, as Kulla
-// and Fajardo (2012, "Importance Sampling Techniques for Path Tracing in Participating Media", section 4.1) draw points
-// of a segment. With h the height above the plane, y the chord's distance from the foot of p, D^2 = h^2 + y^2 and x the
-// place on the chord,
-//   p(y) = h / (a D^2),   p(x | y) = D / (b(y) d^2),   a, b: the angles of the strip and of the chord, at most pi
-// so that the density per solid angle, p(y) p(x|y) d^3/h = d / (a b D), is never below 1/pi^2, whatever the light's
-// size: an even density over the hemisphere is 1/(2 pi). Chords run across the direction in which p is beside the
-// light, for otherwise those near p would be drawn at grazing angles although the light does not come near.
+// Sampling a flat light from a point that is close relative to its size. Points sampled uniformly by area would nearly
+// all be far away. For half-size S at height h, a share (h/S)^2 of them lies where most of the light comes from. Here
+// the light is cut into parallel chords. Both the chord and the point on it are sampled by the angle that they subtend.
+// Kulla and Fajardo sample a segment this way (2012, "Importance Sampling Techniques for Path Tracing in Participating
+// Media", section 4.1). Let h be the height of p above the plane, y the chord's distance from the foot of p and x the
+// position on the chord. D^2 = h^2 + y^2, and d is the distance from p. The angles of strip and chord are a and b, at
+// most pi.
+//   `p(y) = h / (a D^2),   p(x | y) = D / (b(y) d^2)`.
+// The density per solid angle, p(y) p(x|y) d^3/h = d / (a b D), is never below 1/pi^2, whatever the light's size. An
+// even density over the hemisphere is 1/(2 pi). Chords run across the direction in which p is beside the light.
+// Otherwise chords near p would get samples at grazing angles although the light is not near there.
 #pragma once
 
 #include <array>
@@ -18,7 +19,7 @@
 
 namespace photonproof::inline renderer_lights {
 
-/// A light is close where p is within twice its half-extent from its centre: elsewhere no point of it is nearer than
+/// A light is close where p is within twice its half-extent from its centre. Elsewhere no point of it is nearer than
 /// its half-extent, and area sampling is as good and cheaper.
 template <class F>
 Mask<F> is_close(const Vec3<F>& p, const Vec3<F>& center, const F& half_extent2) {
@@ -26,23 +27,23 @@ Mask<F> is_close(const Vec3<F>& p, const Vec3<F>& center, const F& half_extent2)
   return dot(d, d) < 4 * half_extent2;
 }
 
-/// The quick test that goes before: where p is close, no point of the light is as far as three half-extents.
-/// `distance2` is the square to any point; with a margin for rounding.
+/// A quick preliminary test: where p is close, no point of the light is as far as three half-extents. `distance2` is
+/// the square of the distance to any point. The test has a margin for rounding.
 template <class F>
 bool some_may_be_close(const F& distance2, const F& half_extent2) {
   return any(distance2 < 9.1f * half_extent2);
 }
 
-/// The angle, in [0, pi], that [low, high] on a line is seen under from `distance` of the line's origin.
+/// The angle, in [0, pi], that [low, high] on a line subtends at `distance` from the line's origin.
 template <class F>
 F seen_angle(const F& low, const F& high, const F& distance) {
   return angle_of(F(distance * lane_max(F(high - low), F(0.0f))), F(mul_add(low, high, distance * distance)));
 }
 
-/// The point that divides that angle, which is given, as u does.
+/// The point that divides the given angle in the ratio u.
 template <class F>
 F at_angle(const F& u, const F& angle, const F& low, const F& high, const F& distance) {
-  // The ray (distance, low) turned by u angle.
+  // The ray (distance, low), rotated by u angle.
   const SinCos<F> turn = sincos_turn(F(u * angle * 0.159154943f));
   const F along = distance * turn.cos - low * turn.sin;
   const F across = low * turn.cos + distance * turn.sin;
@@ -50,20 +51,21 @@ F at_angle(const F& u, const F& angle, const F& low, const F& high, const F& dis
   return select(along > 0, lane_min(lane_max(x, low), high), select(across > 0, high, low));
 }
 
-/// A light's `offset` where its corner tells heights above its plane.
+/// Value of a light's `offset` where heights above its plane follow from its corner.
 inline constexpr float told_by_corner = std::numeric_limits<float>::infinity();
-/// Of p above a plane. Differences from a corner far away leave no digits of it: there the plane's normal . x does.
+/// Height of p above a plane. Differences from a distant corner leave no digits of it; the plane's normal . x is exact
+/// there.
 template <class F>
 F height_above(const Vec3<F>& p, const Vec3<F>& corner, const Vec3<F>& normal, const F& offset) {
   return select(offset < told_by_corner, F(dot(p, normal) - offset), dot(p - corner, normal));
 }
 
-/// Where p is over the light's plane.
+/// Position of p relative to the light's plane.
 template <class F>
 struct FlatFrame {
-  Vec3<F> along, up;  ///< unit and perpendicular, in the plane; chords run along `along`
-  F height;           ///< of p above the plane, on the emitting side
-  F x, y;             ///< of the foot of p in this frame
+  Vec3<F> along, up;  ///< Unit and perpendicular, in the plane; chords run along `along`.
+  F height;           ///< Height of p above the plane, on the emitting side.
+  F x, y;             ///< Foot of p in this frame.
 };
 
 template <class F>
@@ -73,12 +75,12 @@ struct Chord {
 
 template <class F>
 struct CloseSample {
-  Vec3<F> offset;  ///< from p to the point
+  Vec3<F> offset;  ///< vector from p to the point
   F pdf;           ///< per solid angle
 };
 
-/// Density per solid angle at p of the point at (x, y) from p's foot, on a chord within [y_low, y_high], all relative
-/// to the foot. Nothing from behind.
+/// Density per solid angle at p of the point at (x, y) on a chord within [y_low, y_high], all relative to the foot of
+/// p. It is 0 from behind.
 template <class F>
 F close_pdf(const F& height, const F& y_low, const F& y_high, const F& y, const Chord<F>& chord, const F& x) {
   const F distance = lane_sqrt(F(mul_add(y, y, height * height)));
@@ -88,7 +90,7 @@ F close_pdf(const F& height, const F& y_low, const F& y_high, const F& y, const 
   return select(lit, d / (select(lit, F(angles * distance), F(1.0f))), F(0.0f));
 }
 
-/// `Flat` has: FlatFrame<F> frame; F y_low, y_high, from the foot; Chord<F> chord(y), from the foot.
+/// `Flat` has FlatFrame<F> frame, F y_low, F y_high and Chord<F> chord(y), all relative to the foot.
 template <class F, class Flat>
 CloseSample<F> close_sample(const Flat& flat, const Vec3<F>& normal, const Vec2<F>& u) {
   const F height = flat.frame.height;
@@ -99,14 +101,14 @@ CloseSample<F> close_sample(const Flat& flat, const Vec3<F>& normal, const Vec2<
   const Vec3<F> offset = advance(advance(normal * (-height), y, flat.frame.up), x, flat.frame.along);
   return {offset, close_pdf(height, flat.y_low, flat.y_high, y, chord, x)};
 }
-/// Of a point of the light that was found otherwise, at this offset from p.
+/// Density of a point of the light that was found otherwise, at this offset from p.
 template <class F, class Flat>
 F close_pdf(const Flat& flat, const Vec3<F>& offset) {
   const F y = lane_min(lane_max(F(dot(offset, flat.frame.up)), flat.y_low), flat.y_high);
   return close_pdf(flat.frame.height, flat.y_low, flat.y_high, y, flat.chord(y), F(dot(offset, flat.frame.along)));
 }
 
-/// Puts a sample drawn by angle in the place of one drawn by area, in these lanes.
+/// Replaces a sample by area with one by angle, in these lanes.
 template <class F>
 void choose_close(LightSample<F>& s, const Mask<F>& close, const Vec3<F>& p, const CloseSample<F>& c) {
   s.at.p = select(close, Vec3<F>(p + c.offset), s.at.p);
@@ -114,8 +116,8 @@ void choose_close(LightSample<F>& s, const Mask<F>& close, const Vec3<F>& p, con
   s.pdf = select(close, c.pdf, s.pdf);
 }
 
-/// Of lights with is_close_to(p), height(p) and shape_from(p). Few packs have close lanes: the code is out of the
-/// way of the others. Behind the light, on a ceiling around it say, densities are 0 whichever way they are found.
+/// Sampling of lights with is_close_to(p), height(p) and shape_from(p). Few packs have close lanes, so this code is out
+/// of line. Behind the light, for instance on a ceiling around it, densities are 0 for every strategy.
 template <class F, class Light>
 [[gnu::noinline]] void sample_close(const Light& light, const Vec3<F>& p, const Vec2<F>& u, LightSample<F>& s) {
   const Mask<F> close = light.is_close_to(p) && light.height(p) > 0;
@@ -127,7 +129,7 @@ template <class F, class Light>
   if (any(close)) pdf = select(close, close_pdf<F>(light.shape_from(p), Vec3<F>(p_light - p)), pdf);
 }
 
-/// Axes with `along` on an edge, and where p is, given from their origin and above the plane.
+/// Axes with `along` on an edge, and the position of p relative to their origin and plane.
 template <class F>
 FlatFrame<F> flat_frame(const Vec3<F>& from_origin, const F& height, const Vec3<F>& edge, const Vec3<F>& other) {
   const Vec3<F> along = normalize(edge);
@@ -139,12 +141,12 @@ template <class F>
 struct CloseParallelogram {
   FlatFrame<F> frame;
   F y_low, y_high;
-  F length, shear;  ///< of the chords; how far they move along for each unit of height
+  F length, shear;  ///< length of the chords; their shift per unit of height
 
-  /// `from_corner`: p from the corner.
+  /// The vector `from_corner` leads from the corner to p.
   CloseParallelogram(const Vec3<F>& from_corner, const F& height, const Vec3<F>& edge_u, const Vec3<F>& edge_v,
                      const Vec3<F>& normal) {
-    // How far p is beside the strip between two opposite edges; twice the area cancels.
+    // Distance of p beyond the strip between two opposite edges; twice the area cancels.
     const Vec3<F> across_u = cross(normal, edge_u), across_v = cross(edge_v, normal);
     const F beside_u = beside(F(dot(from_corner, across_u)), F(dot(edge_v, across_u))) / photonproof::length(edge_u);
     const F beside_v = beside(F(dot(from_corner, across_v)), F(dot(edge_u, across_v))) / photonproof::length(edge_v);
@@ -163,7 +165,7 @@ struct CloseParallelogram {
   }
 
  private:
-  /// Of s outside the range from 0 to `end`, which may be negative.
+  /// Distance of s from the range between 0 and `end`; `end` may be negative.
   static F beside(const F& s, const F& end) {
     const F low = lane_min(end, F(0.0f)), high = lane_max(end, F(0.0f));
     return lane_max(lane_max(F(low - s), F(s - high)), F(0.0f));
@@ -174,9 +176,10 @@ template <class F>
 struct CloseEllipse {
   FlatFrame<F> frame;
   F y_low, y_high;
-  F half, reach, shear;  ///< of the longest chord; of the heights; as above
+  F half, reach, shear;  ///< Half length of the longest chord, range of the heights, and shift per unit of height.
 
-  /// `from_center`: p from the centre. Any half axes that are conjugate do: the second is turned towards p.
+  /// The vector `from_center` leads from the centre to p. Any conjugate half axes suffice: the second is turned towards
+  /// p.
   CloseEllipse(const Vec3<F>& from_center, const F& height, const Vec3<F>& half_axis_u, const Vec3<F>& half_axis_v,
                const Vec3<F>& normal) {
     const F twice = dot(cross(half_axis_u, half_axis_v), normal);
@@ -202,11 +205,11 @@ struct CloseEllipse {
   }
 };
 
-/// One path at a time, as meshes are sampled.
+/// A triangle for one path at a time, as in sampling meshes.
 struct CloseTriangle {
   FlatFrame<float> frame;
   float y_low, y_high;
-  float length, apex;  ///< of the longest chord, at y_low; the apex from its start
+  float length, apex;  ///< length of the longest chord, at y_low; position of the apex from the chord's start
 
   CloseTriangle(const Vec3f& p, float height, const std::array<Vec3d, 3>& corner);
   Chord<float> chord(float y) const {

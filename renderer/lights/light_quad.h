@@ -1,5 +1,5 @@
-// Lambertian emission from one side of a parallelogram, sampled uniformly by area, from close to it by the angles that
-// it is seen under (light_near.h).
+// Lambertian emission from one side of a parallelogram. It is sampled uniformly by area, and from nearby by the angles
+// that it subtends (light_near.h).
 #pragma once
 
 #include "renderer/lanes/warp.h"
@@ -16,7 +16,7 @@ struct QuadLight {
   Vec3<F> corner, edge_u, edge_v, normal;
   F area;
   Vec3<F> radiance;  ///< W m^-2 sr^-1
-  F offset;          ///< normal . x of its points, where the corner is too far off (light_near.h)
+  F offset;          ///< normal . x of its points, where the corner is too distant (light_near.h)
 
   LightSample<F> sample(const Vec3<F>& p, const Vec2<F>& u) const {
     const Vec3<F> p_light = point(has_fault(Fault::part_of_light) ? Vec2<F>{F(u.x * 0.9f), u.y} : u);
@@ -39,7 +39,7 @@ struct QuadLight {
     return is_close(p, Vec3<F>(advance(corner, F(0.5f), diagonal)),
                     F(0.25f * lane_max(F(dot(diagonal, diagonal)), F(dot(other, other)))));
   }
-  /// No diagonal's half is longer than the root of this (the parallelogram law).
+  /// Half of either diagonal is at most the root of this (the parallelogram law).
   F most_half_extent2() const { return 0.5f * (dot(edge_u, edge_u) + dot(edge_v, edge_v)); }
   F height(const Vec3<F>& p) const { return height_above(p, corner, normal, offset); }
   CloseParallelogram<F> shape_from(const Vec3<F>& p) const {

@@ -1,4 +1,4 @@
-// What lights are asked about and what they answer, a lane each; the host's lights answer with F = float.
+// Arguments and results of lights' functions, one per lane; the host's lights use F = float.
 #pragma once
 
 #include "renderer/lanes/lane.h"
@@ -8,45 +8,44 @@ namespace photonproof::inline renderer_lights {
 /// A point of a light.
 template <class F>
 struct LightPoint {
-  Vec3<F> p;              ///< of an infinite light: beyond the scene, where shadow segments end
-  Vec3<F> normal = {};    ///< unit, on the side that emits; zero for lights of no surface
-  Vec2<F> uv = {};        ///< where the radiance is a texture
-  UInt<F> triangle = {};  ///< of a mesh
+  Vec3<F> p;              ///< Position; for an infinite light beyond the scene, where shadow segments end.
+  Vec3<F> normal = {};    ///< Unit normal on the emitting side; zero for lights without surface.
+  Vec2<F> uv = {};        ///< Texture coordinates, where the radiance is a texture.
+  UInt<F> triangle = {};  ///< Triangle of a mesh.
 };
 
-/// A point of a light that has been chosen, as seen from another.
+/// A point of a chosen light for a shaded point.
 template <class F>
 struct LightSample {
   LightPoint<F> at;
-  Vec3<F> wi;        ///< unit, from the shaded point to the light
-  Vec3<F> radiance;  ///< arriving along wi; for a delta light: irradiance at normal incidence
-  F pdf = {};        ///< per solid angle at the shaded point; 1 for a delta light; 0 when it gives nothing there
+  Vec3<F> wi;        ///< Unit direction from the shaded point to the light.
+  Vec3<F> radiance;  ///< Radiance arriving along wi; for a delta light the irradiance at normal incidence.
+  F pdf = {};        ///< Density per solid angle at the shaded point; 1 for a delta light. It is 0 without light there.
 };
 
-/// A point drawn as seen from another.
+/// A point sampled for a shaded point.
 struct SeenPoint {
   LightPoint<float> at;
-  Vec3f offset;   ///< to it
+  Vec3f offset;   ///< vector to the point
   float pdf = 0;  ///< per solid angle
 };
 
 /// A light path's start at a light that has been chosen.
 template <class F>
 struct Emission {
-  LightPoint<F> at;    ///< of an infinite light: on the disc before the scene
-  Vec3<F> direction;   ///< unit
-  Vec3<F> flux;        ///< W: what leaves the light, cosine inside, over the densities of position and direction
-  F crowding{1.0f};    ///< density of the position over that of an even one
-  Vec3<F> ahead = {};  ///< where `is_ahead` is not 0: a point on its way up to which it meets nothing
+  LightPoint<F> at;    ///< Point; for an infinite light on the disc in front of the scene.
+  Vec3<F> direction;   ///< Unit direction.
+  Vec3<F> flux;        ///< Emitted flux, W, cosine inside, over the densities of position and direction.
+  F crowding{1.0f};    ///< Density of the position over that of an even one.
+  Vec3<F> ahead = {};  ///< Point up to which the path meets nothing, where `is_ahead` is not 0.
   F is_ahead{0.0f};
 };
 
-/// Densities of an emission's two draws in their order, of a light that has been chosen. Infinite lights begin with
-/// their direction, so the measures are swapped:
-///             first                                   second
-///   finite    the point, per area                     the direction, per solid angle
-///   infinite  the direction, per solid angle          the place where it enters, per area across the direction
-/// A delta density, a position of no surface or a directional light's direction, is 1.
+/// Densities of the two samples of an emission in their order, for a chosen light. Infinite lights begin with their
+/// direction, so the measures are swapped.
+///   Finite lights: first the point, per area, then the direction, per solid angle.
+///   Infinite lights: first the direction, per solid angle, then the point of entry, per area across the direction.
+/// A delta density is 1: the position without surface, or a directional light's direction.
 template <class F>
 struct EmissionPdfs {
   F first = {}, second = {};
@@ -72,7 +71,7 @@ Emission<F> select(const M& m, const Emission<F>& a, const Emission<F>& b) {
           select(m, a.ahead, b.ahead), select(m, a.is_ahead, b.is_ahead)};
 }
 
-/// Density per solid angle at `p` of a density `pdf_area` per area at a point of a surface light; 0 when that is seen
+/// Converts a density `pdf_area` at a point of a surface light to a density per solid angle at `p`; 0 for a point seen
 /// edge-on or from behind.
 template <class F>
 F area_to_solid_angle(const F& pdf_area, const Vec3<F>& p, const LightPoint<F>& at) {
@@ -82,7 +81,7 @@ F area_to_solid_angle(const F& pdf_area, const Vec3<F>& p, const LightPoint<F>& 
   return select(cos_light > 0, pdf_area * distance2 / cos_light, F(0.0f));
 }
 
-/// How far from p a shadow segment to an infinite light goes. Within the ball around the scene nothing is beyond it;
+/// Length of a shadow segment from p to an infinite light. Beyond it nothing lies within the ball around the scene;
 /// infinite planes hide light up to a thousandth of a radian from their horizon.
 template <class F>
 F reach_beyond(const Vec3<F>& center, const F& radius, const Vec3<F>& p) {

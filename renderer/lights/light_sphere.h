@@ -1,10 +1,11 @@
 // Lambertian emission from a sphere, outward or inward. From outside, the visible cap is sampled uniformly by solid
-// angle (Shirley, Wang, Zimmerman 1996), however close it is. Where it emits inward, points of it are drawn uniformly
-// by area; from within also uniformly by solid angle, one sample in two, so that the wall close by is not left out.
+// angle, however close it is (Shirley, Wang, Zimmerman 1996). On a sphere that emits inward, points are sampled
+// uniformly by area. From within, every other sample is uniform by solid angle instead, so that the nearby wall gets
+// its share.
 //
-// With d the distance of p from the centre, all that is close to the surface follows from the power of p,
-// d^2 - R^2 = |p|^2 - 2 p . center + (|center|^2 - R^2). Of a sphere that is huge for its distance from the origin,
-// near which what is looked at lies, the last term is known by `offset`; centre and radius leave no digits of it.
+// With d the distance of p from the centre, all quantities near the surface follow from the power of p. It is d^2 - R^2
+// = |p|^2 - 2 p . center + (|center|^2 - R^2). The visible scene is near the origin. For a sphere that is huge relative
+// to its distance from the origin, `offset` gives the last term, as centre and radius leave no digits of it.
 #pragma once
 
 #include "renderer/lanes/warp.h"
@@ -21,7 +22,7 @@ struct SphereLight {
   F radius;
   F side;                    ///< 1: emits outward, -1: inward
   Vec3<F> radiance;          ///< W m^-2 sr^-1
-  F offset{told_by_corner};  ///< (|center|^2 - R^2) / 2R, where centre and radius say too little
+  F offset{told_by_corner};  ///< the term (|center|^2 - R^2) / 2R, where centre and radius lack digits
 
   LightSample<F> sample(const Vec3<F>& p, const Vec2<F>& u) const {
     const Mask<F> cone = samples_cone(p);
@@ -54,7 +55,7 @@ struct SphereLight {
   }
   Vec3<F> flux() const { return radiance * (pi * area()); }
   LightBounds bounds() const { return round_bounds(center - Vec3f(radius), center + Vec3f(radius)); }
-  /// Of p above the surface, on the emitting side.
+  /// Height of p above the surface, on the emitting side.
   F height(const Vec3<F>& p) const {
     const F s = power(p);
     return side * s / (radius + lane_sqrt(lane_max(F(radius * radius + s), F(0.0f))));
@@ -68,15 +69,15 @@ struct SphereLight {
     return select(is_told_by_offset(), F(dot(p, p) + 2 * (radius * offset - dot(p, center))),
                   F(dot(d, d) - radius * radius));
   }
-  /// In proportion to what rounding leaves unknown of the power of p.
+  /// Scale of the rounding error in the power of p.
   F grain(const Vec3<F>& p) const {
     const F from_origin = length(p);
     return select(is_told_by_offset(), F(from_origin * lane_max(from_origin, radius)), F(radius * radius));
   }
-  /// Not from the surface itself, which sees nothing of its outer side: a point on it is off by two roundings or so.
+  /// Excludes the surface itself, which sees nothing of its outer side: a point on it is off by about two roundings.
   Mask<F> samples_cone(const Vec3<F>& p) const { return side > 0 && power(p) > 5e-7f * grain(p); }
-  /// Not on the wall itself, from where even area sampling is drawing by the cosine, the best there is. Rays that leave
-  /// the wall start a little off it, and must be weighed as the wall is.
+  /// Excludes the wall itself, where even area sampling is optimal since it is cosine-weighted. Rays that leave the
+  /// wall start slightly off it, and need the same weights as the wall.
   Mask<F> is_within(const Vec3<F>& p) const { return side < 0 && power(p) < -4e-6f * grain(p); }
   F cone_one_minus_cos(const Vec3<F>& p) const {
     const Vec3<F> d = p - center;
@@ -89,7 +90,7 @@ struct SphereLight {
     const F one_minus_cos = cone_one_minus_cos(p);
     const Vec3<F> local = square_to_cone(u, one_minus_cos);
     const Frame<F> frame(to_center * (1 / distance));
-    // The normal in that frame: differences of world coordinates leave no digits of a distant sphere.
+    // The normal in that frame: differences of world coordinates leave no digits for a distant sphere.
     const F drop2 = distance * distance * (local.x * local.x + local.y * local.y);
     const F t = power(p) / (distance * local.z + lane_sqrt(lane_max(F(radius * radius - drop2), F(0.0f))));
     const F x = local.x * t / radius, y = local.y * t / radius;
@@ -102,7 +103,7 @@ struct SphereLight {
     const Mask<F> within = is_within(p), by_direction = within && u.x < 0.5f;
     const F twice = 2 * u.x;
     const Vec3<F> random = square_to_sphere(Vec2<F>{select(within, select(by_direction, twice, twice - 1), u.x), u.y});
-    // Where the direction leaves the sphere, from p on the inner side.
+    // Distance from p, on the inner side, to where the direction leaves the sphere.
     const Vec3<F> from_center = p - center;
     const F b = dot(from_center, random), c = power(p);
     const F root = lane_sqrt(lane_max(F(b * b - c), F(0.0f)));

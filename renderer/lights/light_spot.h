@@ -1,4 +1,4 @@
-// A point that shines into a cone: in full within the beam, falling linearly with the angle to nothing at the cut-off.
+// A point light with a cone: full intensity within the beam, then linear in the angle down to 0 at the cut-off.
 #pragma once
 
 #include "renderer/lanes/warp.h"
@@ -21,8 +21,8 @@ struct SpotLight {
   Vec3<F> axis;       ///< unit
   Vec3<F> intensity;  ///< W sr^-1, along the axis
   F beam, cutoff;     ///< half-angles, radians; beam <= cutoff
-  F one_minus_cos;    ///< of the cut-off
-  F mean_falloff;     ///< over the cone's solid angle
+  F one_minus_cos;    ///< value 1 - cos of the cut-off
+  F mean_falloff;     ///< mean over the cone's solid angle
 
   LightSample<F> sample(const Vec3<F>& p, const Vec2<F>&) const {
     const Vec3<F> d = position - p;
@@ -63,17 +63,18 @@ inline double one_minus_cosine(double x) {
   const double half = std::sin(x / 2);
   return 2 * half * half;
 }
-/// Of sin(x) / x; relative error 1e-11.
+/// The function 1 - sin(x) / x, with a relative error of 1e-11.
 inline double one_minus_sinc(double x) {
   return std::abs(x) < 0.01 ? x * x / 6 * (1 - x * x / 20) : 1 - std::sin(x) / x;
 }
 
-/// `beam_radians` <= `cutoff_radians`, half-angles; the cut-off is above 0.
+/// The half-angles satisfy `beam_radians` <= `cutoff_radians`; the cut-off is above 0.
 inline SpotLight<float> spot_light(const Vec3f& position, const Vec3f& axis, const Rgb& intensity, double beam_radians,
                                    double cutoff_radians) {
-  // Without the cancellation of 1 - cos(c). The mean over the cone, of falloff f:
-  //   integral f sin = (1 - cos b) + [integral from b to c of (c - t) sin(t) dt] / (c - b)
-  //                  = 1 - (sin c - sin b) / (c - b) = 1 - cos m sinc h,   m = (c + b) / 2, h = (c - b) / 2
+  // A form without the cancellation of 1 - cos(c). With m = (c + b) / 2 and h = (c - b) / 2, the mean of the falloff f
+  // over the cone follows from these integrals.
+  //   `integral f sin = (1 - cos b) + [integral from b to c of (c - t) sin(t) dt] / (c - b)`
+  //   `               = 1 - (sin c - sin b) / (c - b) = 1 - cos m sinc h`.
   const double one_minus_cos = one_minus_cosine(cutoff_radians);
   const double middle = 0.5 * (cutoff_radians + beam_radians), half_width = 0.5 * (cutoff_radians - beam_radians);
   const double whole = one_minus_cosine(middle) + std::cos(middle) * one_minus_sinc(half_width);

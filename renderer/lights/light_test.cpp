@@ -33,8 +33,8 @@ TEST(point_light, irradiance_is_intensity_cosine_over_distance_squared) {
 }
 
 TEST(quad_light, irradiance_is_the_parallel_rectangle_form) {
-  // Under the centre: four times the corner form F(X,Y), X = Y = half/height = 0.5:
-  // F = (1/2pi) 2 X/sqrt(1+X^2) atan(X/sqrt(1+X^2)) = 0.0598..., E = pi L 4 F.
+  // Under the centre: four times the corner form F(X,Y), X = Y = half/height = 0.5.
+  //   `F = (1/2pi) 2 X/sqrt(1+X^2) atan(X/sqrt(1+X^2)) = 0.0598..., E = pi L 4 F`.
   const double x = 0.5, a = x / std::sqrt(1 + x * x);
   const double form = 2 * a * std::atan(a) / (2 * std::numbers::pi);
   const double expected = std::numbers::pi * 4 * form;
@@ -52,7 +52,8 @@ TEST(mis, weights_stay_finite_beside_lights_of_no_size) {
 TEST(quad_light, gives_nothing_behind_itself) { EXPECT_EQ(irradiance(square(1, 2), {0, 3, 0}, {0, -1, 0}, 100), 0); }
 
 TEST(sphere_light, irradiance_is_pi_l_sin_squared) {
-  // Whole sphere above the horizon: E = pi L (R/d)^2 cos; overhead at distance 2, R = 1: pi/4; and almost touching.
+  // The whole sphere is above the horizon: E = pi L (R/d)^2 cos. Overhead at distance 2 with R = 1 that is pi/4; the
+  // other point almost touches.
   const Light light = SphereLight<float>{{0, 2, 0}, 1, 1, Rgb(1)};
   EXPECT_NEAR(irradiance(light, {0, 0, 0}, {0, 1, 0}, 100'000), std::numbers::pi / 4, 0.002);
   EXPECT_NEAR(irradiance(light, {0, 0.99f, 0}, {0, 1, 0}, 400'000), std::numbers::pi / (1.01 * 1.01), 0.01);
@@ -68,8 +69,8 @@ TEST(sphere_light, from_inside_irradiance_is_pi_l_everywhere) {
 }
 
 TEST(sphere_light, points_drawn_are_where_the_direction_meets_the_sphere_first) {
-  // However far it is: a shadow ray to the point must go along wi and end on the near side. wi and the direction to
-  // the centre are rounded to a few 2^-24, which across a distance d is what the ray may be off by.
+  // At every distance a shadow ray to the point must go along wi and end on the near side. Errors of wi and of the
+  // direction to the centre are a few 2^-24. Across a distance d the ray may be off by as much.
   for (const float distance : {1.1f, 10.0f, 1e4f, 1e5f}) {
     const Light light = SphereLight<float>{{0, 0, 0}, 1, 1, Rgb(1)};
     const Vec3f p = Vec3f(0.48f, -0.6f, 0.64f) * distance;
@@ -78,7 +79,7 @@ TEST(sphere_light, points_drawn_are_where_the_direction_meets_the_sphere_first) 
       EXPECT_NEAR(length(drawn.at.normal), 1, 1e-3f);
       EXPECT_NEAR(length(drawn.at.p - drawn.at.normal), 0, 1e-6f);
       EXPECT_LT(dot(drawn.at.normal, drawn.wi), 0.01f);
-      // Across, in double: the point's and the ray's distance from the line through p and the centre.
+      // The distance of point and ray from the line through p and the centre, in double.
       const Vec3d axis = normalize(Vec3d(p)), wi(drawn.wi), n(drawn.at.normal);
       const Vec3d ray_across = wi - axis * dot(wi, axis), point_across = n - axis * dot(n, axis);
       const double reach = length(Vec3d(drawn.at.p) - Vec3d(p));
@@ -89,7 +90,7 @@ TEST(sphere_light, points_drawn_are_where_the_direction_meets_the_sphere_first) 
 
 TEST(surface_lights, sampled_directions_match_their_density) {
   // Directions towards the light from a fixed point; the density of one that misses it is 0. Cells cut by the light's
-  // outline are integrated on an 8x8 lattice, which for these large lights costs less than the test can see.
+  // outline are integrated on an 8x8 lattice; for these large lights its error is below what the test detects.
   const Light ball = SphereLight<float>{{0, 0, 1.5f}, 1.2f, 1, Rgb(1)};
   const Vec3f p(0, 0, 0);
   const double p_value = test::direction_p_value([&](test::Random& s) { return sample(ball, p, s.next2()).wi; },
@@ -131,8 +132,9 @@ TEST(lights, photons_leave_with_the_lights_flux_and_pattern) {
             test::sidak_level(2));
 }
 
-// Flux over intensity of a cone whose falloff is linear from b to c, by Simpson's rule on sin(t) times it, which shares
-// nothing with the closed form; for narrow ones by the limit pi (c^2 + b c + b^2) / 3, off by c^2 / 10.
+// Flux over intensity of a cone whose falloff is linear from b to c. The reference is Simpson's rule on sin(t) times
+// the falloff, which shares nothing with the closed form. For narrow cones it is the limit pi (c^2 + b c + b^2) / 3,
+// off by c^2 / 10.
 TEST(spot_light, flux_is_that_of_its_cone_down_to_the_narrowest) {
   const auto flux_of = [](double beam, double cutoff) {
     return double{flux(Light(spot_light({}, {0, 0, 1}, Rgb(1), beam, cutoff))).x};
@@ -156,7 +158,7 @@ TEST(spot_light, flux_is_that_of_its_cone_down_to_the_narrowest) {
     }
 }
 
-// Whatever its size, a speck's points are drawn alike: the density times the area stays.
+// A cylinder of any size, however tiny, is sampled alike: the density times the area stays.
 TEST(cylinder_light, is_sampled_alike_down_to_the_smallest) {
   const auto density_times_area = [](float size) {
     const CylinderShape area_light{{1, 5, -1}, {0, 0, size}, {1, 0, 0}, {0, 1, 0}, size, 1};

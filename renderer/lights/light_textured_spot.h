@@ -11,7 +11,8 @@ class TexturedSpotLight {
  public:
   static constexpr bool is_delta = true, is_infinite = false;
 
-  /// `right`, `up`: unit, the directions in which the texture's u and v grow. The cut-off is below a quarter turn.
+  /// The unit vectors `right` and `up` are the directions in which the texture's u and v grow. The cut-off is below a
+  /// quarter turn.
   TexturedSpotLight(const SpotLight<float>& spot, const Vec3f& right, const Vec3f& up, LightTexture texture);
 
   LightSample<float> sample(const Vec3f& p, const Vec2<float>& u) const;
@@ -30,7 +31,7 @@ class TexturedSpotLight {
 
   SpotLight<float> spot_;
   Vec3f right_, up_;
-  float half_width_;  ///< of the square, one unit ahead
+  float half_width_;  ///< half width of the square, one unit ahead
   LightTexture texture_;
   Rgb flux_{0.0f};
 };

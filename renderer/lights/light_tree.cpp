@@ -16,7 +16,7 @@ float middle(const LightBounds& bounds, int axis) {
   return 0.5f * (component(bounds.low, axis) + component(bounds.high, axis));
 }
 
-/// Solid angle of the directions that get light, weighted by its cosine (Conty Estevez and Kulla 2018, section 4.4).
+/// Solid angle of the lit directions, weighted by the cosine (Conty Estevez and Kulla 2018, section 4.4).
 double orientation_cost(const LightBounds& b) {
   const double spread = b.spread, reach = std::min(spread + double{b.emission}, std::numbers::pi);
   return 2 * std::numbers::pi * (1 - std::cos(spread)) +
@@ -25,7 +25,8 @@ double orientation_cost(const LightBounds& b) {
               std::cos(spread));
 }
 
-/// With a little of the diagonal: a row of points has no surface, and every split of it would cost nothing.
+/// Half of the box's surface, enlarged by a little of the diagonal. A row of points has no surface, and without this
+/// every split of it would cost nothing.
 double half_surface(const LightBounds& b) {
   const Vec3d d(b.high - b.low);
   return d.x * d.y + d.y * d.z + d.z * d.x + 1e-3 * dot(d, d);
@@ -39,7 +40,7 @@ std::vector<std::optional<LightBounds>> bounds_of_all(const std::vector<Light>& 
 
 constexpr std::size_t bucket_count = 12;
 
-/// Along each axis, of the lights' middles.
+/// Buckets of the lights' middles along each axis.
 struct Buckets {
   Vec3f low, extent;  ///< of twice the middles
 
@@ -50,11 +51,11 @@ struct Buckets {
 };
 
 struct Split {
-  int axis = -1;  ///< none
+  int axis = -1;  ///< -1: none
   std::size_t at = 0;
 };
 
-/// Before which bucket of which axis the two halves cost least.
+/// Axis and bucket before which a split into two halves costs least.
 template <class Entry>
 Split best_split(const Entry* first, const Entry* last, const Buckets& buckets) {
   const float longest = max_component(buckets.extent);
@@ -107,7 +108,7 @@ std::uint32_t LightTree::build(Entry* first, Entry* last, std::uint32_t parent) 
     leaf_of_[first->light] = index;
     return index;
   }
-  Vec3f low = bounds.low + bounds.high, high = low;  // twice the range of the middles
+  Vec3f low = bounds.low + bounds.high, high = low;  // range of twice the middles
   for (const Entry* e = first + 1; e != last; ++e) {
     bounds = merge(bounds, e->bounds);
     const Vec3f sum = e->bounds.low + e->bounds.high;

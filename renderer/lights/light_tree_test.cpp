@@ -1,4 +1,4 @@
-// Choosing among many lights by position.
+// Choosing one of many lights by position.
 
 #include "renderer/lights/light_tree.h"
 
@@ -50,7 +50,7 @@ TEST(light_tree, probabilities_sum_to_one_and_belong_to_what_is_drawn) {
     const Vec3f p = Vec3f(at.next(), at.next(), at.next()) * 14.0f - Vec3f(2);
     double sum = 0;
     for (std::uint32_t i = 0; i < lights.size(); ++i) sum += double{tree.probability(p, i)};
-    // Less than 1 only where a branch ends in lights that cannot shine there.
+    // The sum is below 1 only where a branch ends in lights that cannot shine there.
     EXPECT_LE(sum, 1 + 1e-4);
     EXPECT_GT(sum, 0.9);
     for (std::uint64_t i = 0; i < 200; ++i) {
@@ -109,9 +109,9 @@ TEST(light_tree, no_light_that_shines_on_a_point_is_left_out) {
 
 TEST(light_tree, the_nearest_of_equal_lights_is_chosen_far_more_often_than_by_flux) {
   // Sixteen lights in a corridor: pairs 1 apart, pairs of pairs 10, then 100 and 1000. Whatever a split costs, the one
-  // in the widest gap is the cheapest, so that the tree is known: light i turns right where bit k of i is set, and its
-  // node at level k is the lights from `first` to first + 2^(k+1) - 1. Lights shine everywhere; what a node promises is
-  // its power over the squared distance of its box's middle, or over its box's half diagonal squared where p is nearer.
+  // in the widest gap is the cheapest, so the tree is known. Light i turns right where bit k of i is set. Its node at
+  // level k is the lights from `first` to first + 2^(k+1) - 1. Lights shine everywhere. A node's importance is its
+  // power over the squared distance of its box's middle, or over its box's half diagonal squared where p is nearer.
   const auto at = [](std::uint32_t i) { return i % 2 + 10 * (i / 2 % 2) + 100 * (i / 4 % 2) + 1000.0 * (i / 8); };
   std::vector<Light> lights;
   for (std::uint32_t i = 0; i < 16; ++i) lights.emplace_back(PointLight<float>{Vec3f(Vec3d(at(i), 2, -1)), Rgb(3)});
@@ -124,7 +124,7 @@ TEST(light_tree, the_nearest_of_equal_lights_is_chosen_far_more_often_than_by_fl
   };
   double sum = 0;
   for (std::uint32_t i = 0; i < 16; ++i) {
-    double expected = 1, rounding = 0;  // what is not left's share is 1 minus it, as rounded as 1 is
+    double expected = 1, rounding = 0;  // 1 minus the left share has the rounding of 1
     for (std::uint32_t count = 8; count > 0; count /= 2) {
       const std::uint32_t mine = i / count * count, other = mine ^ count;
       const double share = promise(mine, count) / (promise(mine, count) + promise(other, count));
@@ -135,7 +135,7 @@ TEST(light_tree, the_nearest_of_equal_lights_is_chosen_far_more_often_than_by_fl
     sum += expected;
   }
   EXPECT_NEAR(sum, 1, 1e-12);
-  // By flux it would be 1/16; of light 4's nodes these are the shares.
+  // The probability by flux is 1/16; these are the shares of light 4's nodes.
   EXPECT_NEAR(tree.probability(Vec3f(p), 4), 0.99664 * 0.99662 * 0.99765 * 0.99020, 1e-4);
 }
 

@@ -1,4 +1,4 @@
-// The same radiance from everywhere.
+// The same radiance from all directions.
 #pragma once
 
 #include "renderer/lanes/warp.h"

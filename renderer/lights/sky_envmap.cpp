@@ -21,7 +21,7 @@ EnvmapSky::EnvmapSky(const Image& image, float scale, const Transform& to_world)
       y_(normalize(to_world.vector({0, 1, 0}))),
       z_(normalize(to_world.vector({0, 0, 1}))) {
   for (float& v : rgb_) v *= scale;
-  // A cell between four texels is drawn by the mean of their magnitudes times its solid angle, uniformly inside.
+  // A cell between four texels is chosen by the mean of their magnitudes times its solid angle, then sampled uniformly.
   std::vector<double> row_weights;
   RgbD total(0.0);
   for (int row = 0; row < rows(); ++row) {
@@ -33,7 +33,7 @@ EnvmapSky::EnvmapSky(const Image& image, float scale, const Transform& to_world)
         for (const int c : {column, column + 1}) weight += magnitude(texel(c, r)) * per_texel;
       weights.push_back(weight);
     }
-    // The sine weighs the two rows of a cell differently: linear in the angle, integrated exactly.
+    // The sine weights the two rows of a cell differently: linear in the angle, integrated exactly.
     const double top = row * pi_d / rows(), bottom = (row + 1) * pi_d / rows(), width = bottom - top;
     const double lower = (std::sin(bottom) - std::sin(top)) / width - std::cos(bottom);
     const double upper = std::cos(top) - std::cos(bottom) - lower;

@@ -1,5 +1,5 @@
-// A latitude-longitude image of the radiance from all around, with Mitsuba's conventions: local +y is up, u turns from
-// local -z by way of +x; texel columns are at half-integers of u x width, and rows reach from pole to pole: row 0 is at
+// A latitude-longitude image of the radiance from all directions, with Mitsuba's conventions. Local +y is up; u turns
+// from local -z through +x. Texel columns are at half-integers of u x width. Rows reach from pole to pole: row 0 is at
 // the zenith, the last at the nadir. Between texels radiance is bilinear.
 #pragma once
 
@@ -14,7 +14,8 @@ namespace photonproof::inline renderer_lights {
 
 class EnvmapSky {
  public:
-  /// At least 1 x 2 texels, all finite, times `scale`. Of `to_world` the rotation counts; it must be invertible.
+  /// The image has at least 1 x 2 finite texels, times `scale`. Only the rotation of `to_world` is used; it must be
+  /// invertible.
   EnvmapSky(const Image& image, float scale, const Transform& to_world);
 
   Rgb radiance(const Vec3f& towards_sky) const;

@@ -8,7 +8,7 @@
 namespace photonproof::inline renderer_lights {
 namespace {
 
-/// Of a direction that is drawn about another and turned twice, radians at most.
+/// Rounding error of a direction that is sampled about another and rotated twice, in radians at most.
 constexpr double rounding_of_directions = 0x1p-22;
 
 }  // namespace
@@ -22,7 +22,7 @@ SunSky::SunSky(const SunSkySettings& settings)
   const double aperture = settings.sun_aperture_radians;
   sun_one_minus_cos_ = static_cast<float>(cone_solid_angle(aperture) / (2 * pi_d));
   drawn_one_minus_cos_ = static_cast<float>(cone_solid_angle(aperture - 2 * rounding_of_directions) / (2 * pi_d));
-  // Where the disc is on the horizon only its upper part shines, as bright as its middle.
+  // Only the upper part of a disc on the horizon shines, as bright as its middle.
   sun_radiance_ = Rgb(photonproof::sun_radiance(double{sun_.z}, settings.turbidity, aperture) * settings.sun_scale);
 
   std::vector<double> weights;
@@ -35,7 +35,7 @@ SunSky::SunSky(const SunSkySettings& settings)
       total += value * cell;
       weights.push_back((value.x + value.y + value.z) / 3 * cell);
     }
-  // Cells hold more than their middle shows; none is left out.
+  // Cells may hold more radiance than their middle shows, so every cell gets a minimum weight.
   double sum = 0;
   for (const double w : weights) sum += w;
   for (double& w : weights) w += 0.05 * sum / static_cast<double>(weights.size());

@@ -1,5 +1,5 @@
-// Sun and clear sky (scenes/sky/clear_sky.h), looked up and sampled. Local +z is up; there is nothing below the
-// horizon.
+// Sun and clear sky (scenes/sky/clear_sky.h): radiance and sampling. Local +z is up; below the horizon the radiance is
+// 0.
 #pragma once
 
 #include <algorithm>
@@ -17,10 +17,10 @@ struct SunSkySettings {
   RgbD albedo{0.3};              ///< of the ground, 0 to 1
   double sun_scale = 1, sky_scale = 1;
   double sun_aperture_radians = 0.00935;  ///< full angle, usable; the sun's irradiance does not depend on it
-  Transform to_world;                     ///< its rotation counts
+  Transform to_world;                     ///< only its rotation is used
 };
 
-/// The sun's aperture as it is rendered, degrees: directions in single precision tell no smaller one from a point.
+/// The rendered sun aperture in degrees: single-precision directions cannot resolve a smaller one.
 inline float usable_sun_aperture(float degrees) { return std::max(degrees, 5e-4f); }
 
 class SunSky {
@@ -33,7 +33,7 @@ class SunSky {
   Rgb irradiance() const { return irradiance_; }
 
  private:
-  static constexpr int rows = 64, columns = 128;  ///< of the hemisphere: equal steps of height and azimuth
+  static constexpr int rows = 64, columns = 128;  ///< grid of the hemisphere: equal steps of height and azimuth
 
   bool in_sun(const Vec3f& local) const;
   Vec3f to_local(const Vec3f& d) const { return {dot(d, x_), dot(d, y_), dot(d, z_)}; }
@@ -43,7 +43,7 @@ class SunSky {
   Vec3f x_, y_, z_;  ///< local axes in the world, unit
   Vec3f sun_;        ///< local
   float sun_one_minus_cos_;
-  float drawn_one_minus_cos_;  ///< of the cone in which directions to it are drawn, to be in it when rounded
+  float drawn_one_minus_cos_;  ///< narrower sampling cone, so that rounded directions lie in the sun
   Rgb sun_radiance_;
   float sun_probability_;
   DiscreteDistribution cells_;

@@ -1,5 +1,5 @@
-// Faces of glass that lie nearer to each other than rays leave a surface by: a ray that leaves one starts beyond the
-// other, and its light is bent at one of them alone.
+// Faces of glass closer together than the offset of rays from a surface. A ray that leaves one starts beyond the other,
+// so its light is bent at only one of them.
 #pragma once
 
 #include <cstddef>
@@ -10,18 +10,18 @@
 
 namespace photonproof::inline renderer_limits {
 
-/// Rays leave a surface by four steps of its coordinates (surface_hit.h), and their origins are rounded: faces so many
-/// steps apart they take for one.
+/// Rays leave a surface by four steps of its coordinates (surface_hit.h), and their origins are rounded. Faces less
+/// than this many steps apart count as one.
 inline constexpr double steps_resolved = 6 * 0x1p-23;
 
 /// Two shapes by their numbers in the description, the earlier first.
 struct CloseFaces {
   std::size_t first = 0, second = 0;
-  double apart = 0;     ///< at most so far, in the description's lengths
-  double resolved = 0;  ///< what single precision tells apart there
+  double apart = 0;     ///< an upper bound so far, in the description's lengths
+  double resolved = 0;  ///< the smallest distance that single precision resolves there
 };
 
-/// Of spheres, rectangles and cubes whose own BSDF is a dielectric; one pair of faces for every two shapes.
+/// Pairs among spheres, rectangles and cubes whose own BSDF is a dielectric; one pair of faces for every two shapes.
 std::vector<CloseFaces> close_faces_of_glass(const SceneDescription& description, const SceneFrame& frame);
 
 }  // namespace photonproof::inline renderer_limits

@@ -11,9 +11,9 @@
 namespace photonproof::inline renderer_limits {
 namespace {
 
-/// What a number in single precision may be off by, as a part of it.
+/// Largest relative rounding error of a number in single precision.
 constexpr double half_step = 0x1p-24;
-/// Of a cosine: what may be lost without a word.
+/// Relative error of a cosine that needs no warning.
 constexpr double least_loss = 1e-3;
 
 Extent extent_of_light(const LightBounds& bounds) { return {Vec3d(bounds.low), Vec3d(bounds.high)}; }
@@ -21,14 +21,14 @@ Extent extent_of_light(const LightBounds& bounds) { return {Vec3d(bounds.low), V
 /// A light that is small, and how it grazes the surfaces near it.
 struct LowLight {
   Vec3d at;
-  double within;  ///< how far away a surface may be
+  double within;  ///< largest distance of a surface
   LightBounds bounds;
   GrazingLight worst;
 };
 
 class LowLights {
  public:
-  /// `reach`: how far from the origin most of what is lit lies.
+  /// `reach`: distance of most lit surfaces from the origin.
   explicit LowLights(double reach) : reach_(reach) {}
 
   /// Before any surface is looked at.
@@ -61,8 +61,8 @@ class LowLights {
   }
 
  private:
-  /// What rounding of both may change of the height of `at` above the plane through `point`: nothing along axes that
-  /// the plane is across and goes through the origin of.
+  /// Largest change by rounding both of the height of `at` above the plane through `point`. It is 0 along axes that are
+  /// normal to the plane if the plane goes through the origin.
   double rounding(const Vec3d& point, const Vec3d& normal) const {
     const auto along = [&](double n, double other, double another, double p) {
       return std::abs(n) * std::max(std::abs(p), std::hypot(other, another) * reach_);
@@ -80,12 +80,12 @@ class LowLights {
   std::vector<LowLight> lights_;
 };
 
-/// Light from one side, and lights that are so far away that theirs is.
+/// Beams, and lights so far away that theirs is a beam.
 class GrazingBeams {
  public:
   explicit GrazingBeams(double reach) : reach_(reach) {}
 
-  /// Lights so many times as far away as most of what is lit shine from one side.
+  /// Lights this many times as far away as most lit surfaces count as beams.
   static constexpr double far_away = 256;
 
   void add(std::size_t light, const Vec3d& direction) { beams_.push_back({direction, 0, {light, true, 0, 0}}); }
@@ -107,7 +107,7 @@ class GrazingBeams {
   }
 
   void tell(std::vector<GrazingLight>& found) const {
-    // Less does not show beside what is lit at larger angles.
+    // A smaller share does not show beside surfaces lit at larger angles.
     constexpr double least_share = 0.5;
     for (const Beam& beam : beams_)
       if (beam.grazed > 0 && beam.grazed >= least_share * area_) found.push_back(beam.worst);
@@ -142,7 +142,7 @@ class GrazingBeams {
 }  // namespace
 
 std::vector<GrazingLight> grazing_lights(const SceneParts& scene) {
-  // What is lit and seen is about as far from the origin as the shapes or the camera are.
+  // Lit and visible points are about as far from the origin as the shapes or the camera are.
   const double reach =
       std::max(2 * double{scene.frame.coordinate_floor}, largest_coordinate(Vec3d(scene.camera.origin)));
   LowLights area_lights(reach);

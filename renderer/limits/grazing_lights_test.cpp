@@ -1,6 +1,6 @@
-// Floors in the plane z = 0 of their own world, which is then turned so that no coordinate is special, and lights so
-// low above them that what single precision makes of their height shows. That the light is wrong there as far as this
-// says, and that it is not where this says nothing, stress sweeps show ("near the floor, turned", "grazing, turned").
+// Floors in the plane z = 0 of their own world, which is then turned so that no coordinate is special. Lights are so
+// low above them that the rounding of their height in single precision shows. Stress sweeps ("near the floor, turned",
+// "grazing, turned") show that the light is as wrong as noted, and right where no note is made.
 
 #include "renderer/limits/grazing_lights.h"
 
@@ -160,7 +160,7 @@ TEST(grazing_lights, are_none_for_being_near_to_themselves) {
   EXPECT_TRUE(found(d).empty());
 }
 
-// Told by the surface that is nearest, in the description's unit of length, whatever the scene's is.
+// The note names the nearest surface, in the description's unit of length, for any unit of the scene.
 TEST(grazing_lights, are_told_where_they_are_known_worst) {
   for (const double unit : {1.0, 1e9, 1e-9}) {
     const Transform turned = Transform::scale(Vec3d(unit)) * turn;
@@ -212,7 +212,7 @@ TEST(grazing_lights, are_beams_along_faces) {
   }
 }
 
-// A cube's sides are a third of it: beside its top they are dark, whatever rounding makes of them.
+// The sides are a third of a cube: beside its top they are dark for any rounding.
 TEST(grazing_lights, are_beams_by_their_least_angle) {
   for (const double first : {-1e-4, 1e-4}) {  // degrees
     SceneDescription d = stage(turn, DiffuseDescription{});

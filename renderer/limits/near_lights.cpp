@@ -16,16 +16,16 @@ namespace {
 struct LightPlace {
   Vec3d at;
   double within;
-  double size;         ///< half of it; what heights count as at least
-  LightBounds bounds;  ///< where to it shines
-  bool is_flat;        ///< and asks for surfaces that lie as it does, whichever side it shines to
+  double size;         ///< half of the light's size; the least height that counts
+  LightBounds bounds;  ///< the directions it shines to
+  bool is_flat;        ///< only parallel surfaces count, on either side
   NearLight nearest;
 
   void look_at(const Vec3d& point, const Vec3d& normal) {
     const Vec3d down = point - at;
     const double apart = length(down), height = std::max(apart, size);
     if (!(height <= within) || height >= nearest.height) return;
-    // One that lies in a surface lights it where it shines to both of its sides.
+    // A light that lies in a surface lights it where it shines to both sides of the surface.
     if (is_flat ? lies_along(normal) : apart > 0 ? shines(down) : shines(normal) && shines(-normal))
       nearest.height = height;
   }
@@ -37,7 +37,7 @@ struct LightPlace {
   bool lies_along(const Vec3d& normal) const { return std::abs(dot(normalize(normal), Vec3d(bounds.axis))) > 0.9; }
 };
 
-/// Of surfaces that `counts` says are some.
+/// Nearest surfaces to each light, among those for which `counts` is true.
 template <class Counts>
 std::vector<NearLight> nearest_surfaces(const SceneParts& scene, std::vector<LightPlace> area_lights,
                                         const Counts& counts) {

@@ -1,5 +1,5 @@
-// Lights so near a surface that camera paths lose them: small ones, which are brightest in a spot that next to no path
-// meets, and flat ones that rays cannot tell from what they lie on.
+// Lights so near a surface that camera paths lose their light. Small ones are brightest in a spot that almost no path
+// meets. Rays cannot separate flat ones from the surface they lie on.
 #pragma once
 
 #include <cstddef>
@@ -12,15 +12,15 @@ namespace photonproof::inline renderer_limits {
 struct NearLight {
   std::size_t light = 0;  ///< index into SceneParts::lights
   double height = 0;      ///< of its middle above the nearest surface, in the description's lengths
-  double resolved = 0;    ///< what rays tell apart there, in the same
+  double resolved = 0;    ///< the smallest distance that rays resolve there, in the same lengths
 };
 
-/// Lights that shine onto a surface, not only a mirror, no further away than `within` (the description's lengths), and
-/// are smaller than that; the height counts as no less than half of their size.
+/// Lights that shine onto a surface, not only a mirror, no further away than `within` (in the description's lengths),
+/// and are smaller than that. The height counts as at least half of their size.
 std::vector<NearLight> lights_above_spots(const SceneParts& scene, double within);
 
-/// Rectangles and disks that emit, in the middle of which another surface is nearer than is resolved. Of `null` BSDFs
-/// there is none.
+/// Rectangles and disks that emit, with another surface at their middle nearer than is resolved. Surfaces of `null`
+/// BSDFs do not count.
 std::vector<NearLight> lights_on_surfaces(const SceneParts& scene);
 
 }  // namespace photonproof::inline renderer_limits

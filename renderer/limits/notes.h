@@ -1,4 +1,4 @@
-// What notes are made of.
+// Building blocks of notes.
 #pragma once
 
 #include <cstdio>
@@ -11,7 +11,7 @@
 
 namespace photonproof::inline renderer_limits {
 
-/// Of a float near 1, and of a double.
+/// Step of a float near 1, and of a double.
 inline constexpr double float_step = 0x1p-23, double_step = 0x1p-52;
 
 inline std::string short_number(double x) {
@@ -28,7 +28,7 @@ class Notes {
 
   void add(const SourceLoc& loc, const std::string& text) { made.push_back({description_.where(loc), text}); }
 
-  /// A number that is rendered as `rendered(number)`; what textures give is held to the same limits without a word.
+  /// Notes a number that is rendered as `rendered(number)`. Texture values get the same limits without a note.
   template <class Rendered>
   void limit(const SourceLoc& loc, const char* name, const Scalar& value, const Rendered& rendered) {
     const auto* asked = std::get_if<double>(&value);

@@ -33,10 +33,10 @@ std::vector<SourceLoc> places_of_lights(const SceneDescription& description) {
 
 namespace {
 
-/// Below so many steps of a direction's coordinates a pixel's samples show it as stripes.
+/// With fewer steps of a direction's coordinates per pixel, its samples form stripes.
 constexpr double least_steps_a_pixel = 4;
 
-/// Of a film's pixel, about, as seen through the middle of a camera: radians.
+/// Approximate angle of a film's pixel at the middle of the camera's view, in radians.
 struct PixelAngle {
   const FilmDescription& film;
 
@@ -50,8 +50,8 @@ struct PixelAngle {
   double operator()(const OrthographicDescription&) const { return std::numeric_limits<double>::infinity(); }
 };
 
-/// What rays from all over a lens may miss the point in focus by: this part of a pixel. And the most that the tangent
-/// of half a field of view may be, where a step of its outermost directions is a hundredth of their cosine.
+/// Allowed miss of the point in focus by rays from all over a lens, as a part of a pixel. Also the largest tangent of
+/// half a field of view: there a step of its outermost directions is a hundredth of their cosine.
 constexpr double part_of_a_pixel = 0.1, widest_tangent = 0.01 / float_step;
 
 void add_camera_notes(const SceneDescription& description, Notes& notes) {
@@ -68,7 +68,7 @@ void add_camera_notes(const SceneDescription& description, Notes& notes) {
                               " degrees below 180, and directions in single precision are " + short_number(float_step) +
                               " apart: what is seen at its edges may be elsewhere");
   if (lens == nullptr) return;
-  // Of a direction's components each is rounded by so much of the largest; then it goes as far as the lens is wide.
+  // Each component of a direction is rounded by a step of the largest; the error then grows with the lens's width.
   const double slope = std::max(1.0, lens->aperture_radius / lens->focus_distance);
   const double missed = lens->aperture_radius * slope * float_step, in_focus = pixel * lens->focus_distance;
   if (missed > part_of_a_pixel * in_focus)
@@ -77,7 +77,7 @@ void add_camera_notes(const SceneDescription& description, Notes& notes) {
                               " in single precision, and a pixel is " + short_number(in_focus) + " wide there");
 }
 
-/// A cone narrower than so many steps of directions may be missed.
+/// A cone narrower than this many steps of directions may be missed.
 constexpr double least_steps_a_cone = 16;
 
 void add_cone_notes(const SceneDescription& description, Notes& notes) {
@@ -92,11 +92,11 @@ void add_cone_notes(const SceneDescription& description, Notes& notes) {
   }
 }
 
-/// Steps of a walk may be so many steps of its coordinates, and it may have so many before what is known of its
-/// light depends on a few that survive roulette.
+/// Fewest coordinate steps in a step of a random walk, and most scatterings in it. With more, the estimate depends on
+/// the few paths that survive roulette.
 constexpr double least_steps_a_flight = 4, most_scatterings = 1e4;
 
-/// `reach` and `radius` of what it fills: how far its coordinates go, and half of its size; in the frame's unit.
+/// `reach` is the largest coordinate of the filled region, `radius` half of its size, both in the frame's unit.
 void add_notes_of_medium(const MediumDescription& medium, double scale, double reach, double radius, Notes& notes) {
   const auto& fog = std::get<HomogeneousDescription>(medium.model);
   const auto* lobe = std::get_if<HenyeyGreensteinDescription>(&fog.phase);
@@ -107,7 +107,7 @@ void add_notes_of_medium(const MediumDescription& medium, double scale, double r
     if (!(albedo > 0)) continue;
     const double extinction = sigma * fog.scale / scale, depth = extinction * radius;
     densest = std::max(densest, extinction);
-    // Of a random walk to the middle, its steps correlated by g; and before it is absorbed.
+    // Scatterings of a random walk to the middle, its steps correlated by g, and before absorption.
     scatterings = std::max(scatterings, std::min(0.5 * depth * depth * (1 - g), 1 / (1 - albedo)));
   }
   if (1 < least_steps_a_flight * float_step * reach * densest)
@@ -145,9 +145,9 @@ void add_medium_notes(const SceneDescription& description, const SceneParts& sce
     add_notes_of_medium(description.media[medium], scale, filled.reach, filled.radius, notes);
 }
 
-/// What steps of coordinates may be of what is seen, and those of a light, which is far away where it is large.
+/// Largest step of coordinates as a part of the visible scene, and for lights, since a large light is far away.
 constexpr double part_of_what_is_seen = 1e-4, part_of_a_light = 0.01;
-/// And what edges may be off by.
+/// Largest error of an edge, as a part of the view.
 constexpr double part_of_a_view = 1e-3;
 
 void add_place_notes(const SceneDescription& description, const SceneFocus& focus, Notes& notes) {
@@ -169,7 +169,7 @@ void add_place_notes(const SceneDescription& description, const SceneFocus& focu
   }
 }
 
-/// Faces so long that double precision does not know where they end, which is where one looks.
+/// Faces so long that double precision does not resolve their ends, where the camera looks.
 void add_long_face_notes(const SceneDescription& description, const SceneFocus& focus, const SceneParts& scene,
                          Notes& notes) {
   const double size = focus.size * scene.frame.scale;
@@ -196,7 +196,7 @@ void add_close_face_notes(const SceneDescription& description, const SceneParts&
                   short_number(close.resolved) + " apart there light may take for one");
 }
 
-/// One for each light, or where they are many for the first ones and their number.
+/// One note for each light; for many lights, notes for the first ones and the number of the others.
 template <class LightFound, class Text>
 void add_notes_of_lights(const SceneDescription& description, const std::vector<LightFound>& lights, Notes& notes,
                          const Text& text) {
@@ -231,7 +231,7 @@ void add_hidden_light_notes(const SceneDescription& description, const ScenePart
   });
 }
 
-/// Fewer camera paths in a spot than these, over the whole image, do not tell pixels and blocks how much they miss.
+/// With fewer camera paths than this in a spot, over the whole image, pixels and blocks do not show how much they miss.
 constexpr double least_paths_a_spot = 1000;
 
 }  // namespace
@@ -254,8 +254,8 @@ std::vector<SceneNote> notes_on_missed_spots(const SceneDescription& description
   Notes notes(description);
   const std::optional<SceneFocus> focus = scene_focus(description);
   if (!focus || !(camera_paths > 0)) return {};
-  // A point's irradiance at r from the foot of its height h falls as (r^2 + h^2)^-1.5: its square as if it were even
-  // over an area of 8 pi h^2.
+  // A point's irradiance at r from the foot of its height h falls as (r^2 + h^2)^-1.5. Its square integrates as if it
+  // were even over an area of 8 pi h^2.
   const double area = focus->size * focus->size, spot = 8 * std::numbers::pi;
   const double highest = std::sqrt(least_paths_a_spot * area / (spot * camera_paths));
   const std::vector<NearLight> low = lights_above_spots(scene, std::min(highest, 0.1 * focus->size));

@@ -1,4 +1,4 @@
-// Notes on what is too near, far, narrow or wide for the precision of numbers or for the paths that are traced.
+// Notes on parts of a scene too near, far, narrow or wide for the precision of numbers or for the traced paths.
 #pragma once
 
 #include <vector>
@@ -10,12 +10,12 @@ namespace photonproof::inline renderer_limits {
 /// Cameras and media first, then places, faces and lights.
 void add_precision_notes(const SceneDescription& description, const SceneParts& scene, Notes& notes);
 
-/// Of small lights just above a surface, whose brightest spot so many camera paths may miss: for integrators that find
-/// lights from the camera's paths alone.
+/// Notes on small lights just above a surface, whose brightest spot this number of camera paths may miss. For
+/// integrators that find lights only by camera paths.
 std::vector<SceneNote> notes_on_missed_spots(const SceneDescription& description, const SceneParts& scene,
                                              double camera_paths);
 
-/// Of each of the scene's lights: those of the shapes, one a surface, and then the emitters.
+/// The place of each of the scene's lights: those of the shapes, one per surface, and then the emitters.
 std::vector<SourceLoc> places_of_lights(const SceneDescription& description);
 /// The number of surfaces that a shape becomes, each a light where the shape emits.
 std::size_t surfaces_of(const ShapeDescription& shape);

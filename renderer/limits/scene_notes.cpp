@@ -55,7 +55,7 @@ std::size_t triangles_without_area(const TriangleMesh& mesh) {
 }
 
 void add_mesh_notes(const SceneDescription& description, Notes& notes) {
-  std::set<const TriangleMesh*> known;  // a file that several shapes share is told of once
+  std::set<const TriangleMesh*> known;  // one note for a file that several shapes share
   const auto look_at = [&](const ShapeDescription& shape) {
     const auto* file = std::get_if<MeshDescription>(&shape.geometry);
     if (file == nullptr || !known.insert(file->mesh.get()).second) return;
@@ -71,7 +71,7 @@ void add_mesh_notes(const SceneDescription& description, Notes& notes) {
 
 bool is_zero(const RgbD& colour) { return colour == RgbD(0.0); }
 
-/// What it is that has no light in it.
+/// The reason why a light has no light in it.
 struct Darkness {
   std::string operator()(const IesLightDescription& d) const { return "every candela of '" + d.filename + "' is 0"; }
   std::string operator()(const EnvmapDescription& d) const { return "every pixel of '" + d.filename + "' is 0"; }

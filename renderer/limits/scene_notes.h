@@ -1,4 +1,4 @@
-// What a scene asks for and does not get, or gets otherwise: values that are rendered as others, lights that are dark,
+// Notes on parts of a scene that are rendered differently from the file: values rendered as others, dark lights,
 // triangles without area.
 #pragma once
 

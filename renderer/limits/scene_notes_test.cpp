@@ -1,5 +1,5 @@
-// Every value that is rendered as another, and every light that is dark without having been asked to be, is said; the
-// whole sentence is compared.
+// Every value rendered as another, and every unintentionally dark light, has a note; the tests compare the whole
+// sentence.
 
 #include "renderer/limits/scene_notes.h"
 
@@ -55,7 +55,7 @@ SceneDescription far_or_large(double area_light, double moved, double away) {
   return d;
 }
 
-// What double and single precision lose: coordinates far out, directions of pixels, points of a light.
+// Losses of double and single precision: coordinates far out, directions of pixels, points of a light.
 TEST(scene_notes, say_what_is_too_far_or_too_large_for_precision) {
   using testing::HasSubstr;
   EXPECT_EQ(notes_of(far_or_large(1, 0, 4)), "");
@@ -148,7 +148,7 @@ TEST(scene_notes, say_spots_that_few_camera_paths_meet) {
   };
   EXPECT_EQ(notes(1e-3, 1e9), "");
   EXPECT_EQ(notes(0.5, 1e3), "");
-  // Of many lights the first are named, and how many more there are.
+  // Among many lights the note names the first, and the number of the others.
   SceneDescription many = test::room(4, false);
   for (int i = 0; i < 40; ++i)
     many.emitters.push_back({{0, 1, 1}, "", PointLightDescription{{0.02 * i - 0.4, 1 - 1e-3, 0}, RgbD(1)}});
@@ -301,7 +301,7 @@ TEST(scene_notes, say_lights_whose_files_are_dark) {
   profile->candela = {0, 0};
   IesLightDescription ies{"dark.ies", profile, RgbD(1), {}};
   d.emitters.push_back({{0, 4, 1}, "", ies});
-  ies.intensity = RgbD(0);  // as the scene asks
+  ies.intensity = RgbD(0);  // dark on purpose
   d.emitters.push_back({{0, 5, 1}, "", ies});
   EnvmapDescription map;
   map.filename = "dark.exr";

@@ -1,4 +1,4 @@
-// The flat faces of a surface, whatever it is made of, and the surfaces that are near to places.
+// The flat faces of a surface of any kind, and the surfaces near given places.
 #pragma once
 
 #include <algorithm>
@@ -54,8 +54,8 @@ void for_each_face(const Surface& surface, Visit&& visit) {
   }
 }
 
-/// Places (`at`) that ask for the surfaces no further from them than `within`, which does not change. In the order of
-/// x, so that of many each face meets but a few.
+/// Places (`at`) and the surfaces no further from them than `within`, which does not change. Sorted by x, so that each
+/// face is compared with only a few of many places.
 template <class Place>
 class PlacesByX {
  public:
@@ -70,8 +70,8 @@ class PlacesByX {
 
   bool empty() const { return by_x_.empty(); }
 
-  /// Calls look(place, point, normal) with the point of a shape that is nearest to a place, or with that of each of its
-  /// flat faces, where its box (`around` for all) is near. The normal has any length.
+  /// Calls look(place, point, normal) where a shape's box (`around` for all) is near a place. The point is the nearest
+  /// one of the shape, or of each of its flat faces. The normal has any length.
   template <class Look>
   void look_at(const Surface& surface, const ShapeBox& around, const Look& look) const {
     PlacesByX near;

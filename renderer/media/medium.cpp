@@ -39,13 +39,13 @@ SceneMedia compile_media(const SceneDescription& description) {
   for (const MediumDescription& m : description.media)
     media.media.push_back(std::visit([](const auto& model) { return compile(model); }, m.model));
   for (const BsdfDescription& b : description.bsdfs) {
-    BodyDescription body;
+    InteriorDescription interior;
     if (const auto* glass = std::get_if<DielectricDescription>(&b.model))
-      body = {glass->priority, static_cast<float>(glass->int_ior), static_cast<float>(glass->ext_ior)};
-    media.any_priority = media.any_priority || body.priority.has_value();
-    media.bodies.push_back(body);
+      interior = {glass->priority, static_cast<float>(glass->int_ior), static_cast<float>(glass->ext_ior)};
+    media.any_priority = media.any_priority || interior.priority.has_value();
+    media.interiors.push_back(interior);
   }
-  media.bodies.emplace_back();  // where a mask has holes
+  media.interiors.emplace_back();  // where a mask has holes
   media.around_camera = description.sensor.medium ? description.sensor.medium->value : no_index;
   return media;
 }

@@ -1,5 +1,5 @@
-// Participating media, homogeneous: how far light goes in them and where it goes then; and the bodies of glass that may
-// overlap, whose order of precedence the scene file states.
+// Participating media, homogeneous: the distance light travels in them and its direction after scattering. Also the
+// interiors of glass that may overlap, with the scene file's order of precedence.
 #pragma once
 
 #include <optional>
@@ -24,27 +24,27 @@ struct Medium {
   }
 };
 
-/// How far a path goes before it scatters, if it does before `distance`.
+/// A path's distance to its next scattering, if that comes before `distance`.
 struct FreeFlight {
   std::optional<float> scattered;  ///< where
   Rgb weight;                      ///< transmittance, and albedo x extinction where it scattered, over the density
 };
 
-/// Draws a distance for one channel, chosen in proportion to its throughput, and weights it against what the others
-/// would have drawn (one-sample balance heuristic, Veach 1997, section 9.2.4). The sum of the channels' throughputs
-/// then never grows, however colours differ in extinction.
+/// Samples a distance for one channel, chosen in proportion to its throughput, and weights it against the others'
+/// densities (one-sample balance heuristic, Veach 1997, section 9.2.4). So the sum of the channels' throughputs never
+/// grows, however colours differ in extinction.
 FreeFlight fly(const Medium& medium, const Rgb& throughput, float distance, float u_channel, float u_distance);
 
-/// What a dielectric with a priority says of its body.
-struct BodyDescription {
+/// A dielectric's interior, as its priority defines it.
+struct InteriorDescription {
   std::optional<int> priority;
   float int_ior = 1, ext_ior = 1;
 };
 
 struct SceneMedia {
-  std::vector<Medium> media;            ///< by the description's indices
-  std::vector<BodyDescription> bodies;  ///< of each BSDF
-  std::uint32_t around_camera;          ///< index of a medium, or no_index
+  std::vector<Medium> media;                   ///< by the description's indices
+  std::vector<InteriorDescription> interiors;  ///< of each BSDF
+  std::uint32_t around_camera;                 ///< index of a medium, or no_index
   bool any_priority = false;
 };
 SceneMedia compile_media(const SceneDescription& description);

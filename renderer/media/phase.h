@@ -1,5 +1,5 @@
 // The phase function of Henyey and Greenstein (1941), isotropic at g = 0.
-//   p(cos) = (1 - g^2) / (4 pi (1 + g^2 - 2 g cos)^(3/2)), cos between the directions of travel before and after
+// Let cos be between the directions of travel before and after: p = (1 - g^2) / (4 pi (1 + g^2 - 2 g cos)^(3/2)).
 #pragma once
 
 #include "scenes/base/vec.h"

@@ -1,6 +1,6 @@
-// What adaptive sampling of the photon mapper multiplies light by, a weight at a time: each test looks only at pixels
-// that got samples beyond those of every pixel, and holds them to values that share no code with the renderer, or to
-// the path tracer, which adapts nothing. A weight that is 3 % wrong there fails.
+// The weights of light in the photon mapper's adaptive sampling, one at a time. Each test uses only pixels that got
+// samples beyond those of every pixel. It compares them with values that share no code with the renderer, or with the
+// path tracer, which does not adapt. A weight that is 3 % wrong there fails.
 
 #include <gtest/gtest.h>
 
@@ -32,7 +32,7 @@ Adapted adapted(const SceneDescription& scene, RenderJob job) {
   return out;
 }
 
-/// Mean over the pixels that have at least so many times the samples, and their number.
+/// Mean over the pixels with at least a given multiple of the samples, and their number.
 struct Part {
   double mean = 0, expected = 0;
   int pixels = 0;
@@ -55,7 +55,7 @@ Part of_pixels(const Image& image, const Image& chosen_by, double least,
   return part;
 }
 
-/// How much of [i, i + 1] lies in [low, high].
+/// Length of the part of [i, i + 1] in [low, high].
 double covered(int i, double low, double high) {
   return std::max(0.0, std::min(i + 1.0, high) - std::max(double(i), low));
 }
@@ -74,7 +74,7 @@ SceneDescription light_alone(double half, int size) {
 }
 
 // A pixel's mean is the part of it that the light covers, which is a product of lengths. Passes disagree at its rim
-// alone. Of 64 samples and more a pixel the mean over the rim is known to .1 %.
+// alone. With 64 samples and more per pixel the mean over the rim has an error of .1 %.
 TEST(adaptive_weights, pixels_with_more_samples_show_the_part_of_them_that_a_light_covers) {
   constexpr int size = 16;
   constexpr double half = 0.53;
@@ -93,9 +93,9 @@ TEST(adaptive_weights, pixels_with_more_samples_show_the_part_of_them_that_a_lig
       }
 }
 
-// A pass must weigh by its own length: those after a pass that met the light take more samples, and would count more by
-// their number. Of pixels that a light covers to 4 %, 4 % is the mean over renders, known to 2 % here; were passes to
-// weigh by their samples, it would be 3.5 % (measured by that fault).
+// A pass must be weighted by its own length: passes after one that met the light take more samples, and would count
+// more by their number. Where a light covers 4 % of a pixel, the mean over renders is 4 %, measured to 2 % here.
+// Weighting passes by their samples would give 3.5 % (measured with that fault).
 TEST(adaptive_weights, passes_that_follow_a_lucky_one_count_no_more) {
   constexpr int size = 8, renders = 4000;
   constexpr double half = 0.5 + 0.04 * 2 / size;
@@ -115,8 +115,8 @@ TEST(adaptive_weights, passes_that_follow_a_lucky_one_count_no_more) {
   EXPECT_NEAR(sum, 0.04, 4 * error);
 }
 
-/// A box whose walls all have the radiance 2, in and out: e / (1 - rho). The wall that is seen is black and emits 2,
-/// without noise, but for its right edge, which reflects .9 as the other walls do: most of its light is indirect.
+/// A box whose walls all have the radiance 2, in and out: e / (1 - rho). The visible wall is black and emits 2 without
+/// noise. Its right edge reflects .9 as the other walls do, so that most of its light is indirect.
 SceneDescription box_with_a_quiet_wall(int size) {
   SceneDescription scene;
   const BsdfIndex grey = add_bsdf(scene, DiffuseDescription{RgbD(0.9)}),
@@ -147,8 +147,8 @@ TEST(adaptive_weights, pixels_with_more_samples_are_as_bright_as_a_furnace_by_ev
   }
 }
 
-/// A light that shines on a mirror alone, which lights a rough metal behind the light; the metal is an eighth of what
-/// is seen, and the rest is black.
+/// A light that shines on a mirror alone, which lights a rough metal behind the light; the metal is an eighth of the
+/// image, and the rest is black.
 SceneDescription rough_metal_by_a_mirror(int size) {
   SceneDescription scene;
   RoughConductorDescription metal;
@@ -167,8 +167,8 @@ SceneDescription rough_metal_by_a_mirror(int size) {
   return scene;
 }
 
-// All of its light is photons', looked up by their directions: the path tracer finds it by reflections that go to the
-// light by the mirror.
+// All of its light comes from photons, gathered by their directions. The path tracer finds it by reflections that go to
+// the light by the mirror.
 TEST(adaptive_weights, rough_pixels_with_more_samples_are_as_bright_as_by_paths) {
   constexpr int size = 16;
   const SceneDescription scene = rough_metal_by_a_mirror(size);

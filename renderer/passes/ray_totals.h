@@ -17,7 +17,7 @@ class RayTotals {
     shadow_ += c.shadow;
     photon_ += c.photon;
   }
-  /// Not while others add.
+  /// Not to be called while others add.
   RayCounts counts() const { return {camera_, bounce_, shadow_, photon_}; }
   void set(const RayCounts& c) {
     camera_ = c.camera;

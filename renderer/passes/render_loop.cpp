@@ -17,12 +17,12 @@ constexpr double seconds_between_progress = 0.1;
 constexpr std::int64_t most_samples = std::int64_t{1} << 32;
 // Fewer estimates of a rare event's variance are mostly 0.
 constexpr std::int64_t least_samples_for_error = 16;
-// Of the squared bias that lasts, the squared error that is not worth more passes: these could take a tenth off it.
+// Factor on the lasting squared bias below which a squared error needs no more passes: they could remove a tenth of it.
 constexpr double enough_of_lasting = 1.25;
-// Of relmse's epsilon, the mean square of an image that is so dim that its errors are relative to epsilon rather than
-// it.
+// Factor on relmse's epsilon below which an image's mean square is dim: its errors are relative to epsilon rather than
+// to the image.
 constexpr double dim = 0.1;
-// A squared bias that lasts is said where no error was asked for and it is more than that: a tenth of the image.
+// A lasting squared bias above this, a tenth of the image, is reported where no target error was given.
 constexpr double much_that_lasts = 0.01;
 
 std::int64_t total_samples(const RenderJob& job) {

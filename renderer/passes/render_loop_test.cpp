@@ -1,5 +1,5 @@
-// Renders that are stopped anywhere and resumed, for every integrator of the table, inside one process: after a number
-// of units given beforehand, at other thread counts, as often as one likes. The program's test kills the real one.
+// Renders that are stopped at any unit and resumed, for every integrator of the table, inside one process. They stop
+// after given numbers of units, at other thread counts, any number of times. The program's test kills the real one.
 #include "renderer/passes/render_loop.h"
 
 #include <gtest/gtest.h>
@@ -34,8 +34,8 @@ class Resume : public FolderTest {
     Rendering image;
     RenderStats stats;
   };
-  /// Renders until `progress` was called `calls` times, then interrupts; -1: to the end. `after_each_unit`: by waiting
-  /// for so long in every call that the next unit calls again.
+  /// Renders until `progress` was called `calls` times, then interrupts; -1: to the end. With `after_each_unit`
+  /// every call waits so long that the next unit calls again.
   Outcome part(const SceneDescription& description, const std::string& integrator, RenderJob job, bool resume,
                int calls, bool after_each_unit = false) const {
     const Scene scene = test::compiled(description, description.sensor.film.width, description.sensor.film.height);
@@ -52,14 +52,14 @@ class Resume : public FolderTest {
     out.image = film.develop();
     return out;
   }
-  /// Stopped at its progress call of that number, and resumed with another number of threads, until it is complete: at
-  /// least three times.
+  /// Stops at the progress call of that number, and resumes with another number of threads, until the render is
+  /// complete: at least three times.
   Outcome in_parts(const SceneDescription& description, const std::string& integrator, RenderJob job, int calls) const {
     int stops = 0;
     Outcome last = part(description, integrator, job, false, calls);
     for (; last.stats.interrupted && stops < 100; ++stops) {
       job.threads = 1 + stops % 7;
-      // A busy machine makes calls of what comes before the first pass, too: parts then grow until one gets further.
+      // On a busy machine the phases before the first pass make calls, too: parts then grow until one gets further.
       last = part(description, integrator, job, true, calls + stops / 8);
     }
     EXPECT_LT(stops, 100) << integrator;
@@ -229,8 +229,7 @@ TEST(Film, has_a_variance_layer_where_floats_hold_it) {
   EXPECT_NEAR(dark_corner.develop().variance->rgb[3], 1e-40f, 1e-44f);
 }
 
-// Noise of a dim scene is hidden by relmse's 0.01, whatever it is: the error asked for is there at once, and that is
-// said.
+// The noise of a dim scene is below relmse's 0.01, so the target error is reached at once, and the render reports this.
 TEST_F(Resume, target_error_of_a_dim_scene_is_said_to_say_little) {
   for (const double dimmer : {1.0, 1e-6}) {
     SceneDescription scene = test::room(32, false);
@@ -247,8 +246,8 @@ TEST_F(Resume, target_error_of_a_dim_scene_is_said_to_say_little) {
   }
 }
 
-// Passes end after 1, 2, 4, 8, 16 samples and so on: the first of 16 or more at which the error is small enough is the
-// last. A render of half as many is not good enough, and one told to make as many has the same bits.
+// Passes end after 1, 2, 4, 8, 16 samples and so on. The last is the first of 16 or more with a small enough error. A
+// render of half as many misses the target, and one with a budget of as many samples has the same bits.
 TEST_F(Resume, target_error_ends_the_render_at_the_first_pass_that_reaches_it) {
   const SceneDescription scene = test::room(32, false);
   for (const char* name : {"path", "volpath", "whitted"}) {
@@ -321,7 +320,7 @@ TEST_F(Resume, a_checkpoint_that_cannot_be_written_does_not_end_the_render) {
             job.checkpoint->file.string() + ": error: folder '" + (folder_ / "missing").string() + "' does not exist");
 }
 
-/// Units whose results meet: each is added after the sum so far was scaled down, so that their order shows.
+/// Units with common results: the sum so far is scaled down before each is added, so that their order shows.
 struct OrderedWork {
   double sum = 1;
   double run(const RenderJob& job, RenderStats& stats) {

@@ -1,4 +1,4 @@
-// Scratch memory of the path kernel, kept from tile to tile: clearing it anew would be a good part of a short tile.
+// Scratch memory of the path kernel, kept from tile to tile: clearing it again would take much of a short tile's time.
 #pragma once
 
 #include <cstdint>
@@ -15,8 +15,8 @@ class ScratchPool {
  public:
   explicit ScratchPool(const PathKernelEntry& kernel) : kernel_(kernel) {}
 
-  /// Traces the paths with memory that nobody else uses meanwhile. It is zero at first, later what the one before left,
-  /// whose lanes are as harmless to load as zeros: indices in them are of the same scene.
+  /// Traces the paths with memory that no other thread uses meanwhile. It is zero at first, later as the previous task
+  /// left it. Those lanes are as harmless to load as zeros: indices in them are of the same scene.
   void trace(PathTask& task) {
     std::unique_ptr<std::uint32_t[]> scratch = take();
     task.scratch = scratch.get();

@@ -1,6 +1,5 @@
-// --target-error of the photon mapper: the true error of its image, against a long path-traced one, is what was asked
-// for. The image's own claim is of its noise and of its radii's bias, so that both ways of indirect light are held to
-// it.
+// --target-error of the photon mapper: the true error of its image, against a long path-traced one, must meet the
+// target. The image's own estimate includes its noise and its radii's bias, so both kinds of indirect light are tested.
 
 #include <gtest/gtest.h>
 
@@ -23,16 +22,16 @@ struct Asked {
   IndirectLight indirect;
   double error;
   std::int64_t reference_spp;  ///< of each of two
-  int size;                    ///< pixels a side: of few pixels little is known of the bias
+  int size;                    ///< pixels a side: few pixels measure the bias poorly
 };
 void PrintTo(const Asked& asked, std::ostream* out) { *out << asked.scene; }
 
-/// Two independent images; their mean is what is compared with.
+/// Two independent images; their mean is the reference.
 struct Reference {
   Image a, b;
 
   double mean(std::size_t i) const { return (double{a.rgb[i]} + double{b.rgb[i]}) / 2; }
-  /// The mean over channel values of what `difference` gives, squared, relative as relmse is.
+  /// The mean over channel values of the square of `difference`, relative as in relmse.
   template <class Difference>
   double relative_square(Difference&& difference) const {
     double sum = 0;
@@ -79,7 +78,7 @@ TEST_P(TargetError, is_the_true_error_within_a_factor_of_one_and_a_half) {
   EXPECT_GE(static_cast<std::uint64_t>(within), least_within);
 }
 
-// Of corridor automatic settings take the maps.
+// Automatic settings use the maps in corridor.
 INSTANTIATE_TEST_SUITE_P(library, TargetError,
                          testing::Values(Asked{"cornell", IndirectLight::automatic, 0.01, 8'000, 16},
                                          Asked{"cornell", IndirectLight::map, 0.01, 8'000, 16},

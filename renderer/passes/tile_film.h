@@ -1,4 +1,4 @@
-// Between the film and the kernels, which estimate a tile's samples into slots of their own.
+// Connects the film and the kernels, which estimate a tile's samples in separate slots.
 #pragma once
 
 #include <vector>
@@ -16,10 +16,10 @@ inline constexpr Stream camera_stream{1}, extra_sample_stream{9}, shared_gather_
 /// Samples [first, first + samples) of a tile's pixels.
 CameraTask camera_task(const RenderJob& job, const Tile& tile, std::int64_t first, std::int64_t samples);
 
-/// Adds every sample to its pixel, in the order of the samples; `radiance` has 3 floats a path.
+/// Adds every sample to its pixel, in the order of the samples; `radiance` has 3 floats per path.
 void add_samples(Film& film, const CameraTask& task, const std::vector<float>& radiance);
 
-/// The same where a pixel's samples are one estimate, since they share what they were made from.
+/// The same where a pixel's samples are one estimate, since they share photons or cache records.
 void add_means(Film& film, const CameraTask& task, const std::vector<float>& radiance);
 
 }  // namespace photonproof::inline renderer_passes

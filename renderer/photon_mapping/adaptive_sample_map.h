@@ -1,10 +1,10 @@
-// Which pixels get more camera samples than others: those whose passes disagree most for their brightness (a light seen
-// in glass, rims, half-shadows). An error of s_p/sqrt(n_p) a pixel is least, for so many samples in all, where n_p goes
-// with s_p. The numbers of a pass follow from the passes before it, and a pass weighs in its pixel by its own length
-// whatever the number was: so the mean of a pixel is that of estimates each of which is unbiased given the past, and
-// stays unbiased (as with the halves of cross-fitting, but without dividing the evidence).
-// What mirrors and glass show now and then, a light after some reflections inside, no pass may have met yet: a pilot
-// may say the variance that it brings (camera_pilot.h).
+// Camera samples per pixel: pixels whose passes disagree most for their brightness get more (a light seen in glass,
+// rims, half-shadows). For a given total, an error of s_p/sqrt(n_p) a pixel is least where n_p is in proportion to s_p.
+// The sample counts of a pass follow from the passes before it. A pass weighs in its pixel by its own length, whatever
+// the count was. A pixel's mean is therefore the mean of estimates that are each unbiased given the past, so it stays
+// unbiased. Cross-fitting with halves is similar, but it divides the evidence.
+// Rare light in mirrors and glass, such as a light after some reflections inside, may be missed by all passes so far. A
+// pilot may supply the variance that it causes (camera_pilot.h).
 #pragma once
 
 #include <cstddef>
@@ -25,9 +25,9 @@ class AdaptiveSampleMap {
         pixels_(static_cast<std::size_t>(window.width()) * static_cast<std::size_t>(window.height())),
         extra_(pixels_.size()) {}
 
-  /// Samples that the pixel gets in the next pass beyond each of the pass's own.
+  /// Extra samples of the pixel in the next pass, for each of the pass's own samples.
   std::uint32_t extra(int x, int y) const { return extra_[index(x, y)]; }
-  /// A pass's estimate of the pixel, of so many camera samples. One writer a pixel.
+  /// Adds a pass's estimate of the pixel from so many camera samples. One writer a pixel.
   void add(int x, int y, const RgbD& mean, double samples) {
     Pixel& p = pixels_[index(x, y)];
     const double value = (mean.x + mean.y + mean.z) / 3;
@@ -36,9 +36,9 @@ class AdaptiveSampleMap {
     p.squares += samples * value * value;
     p.passes += 1;
   }
-  /// At least so much is the variance of one camera sample, whatever passes see of it. One writer a pixel.
+  /// Sets a lower bound of the variance of one camera sample, whatever the passes measure. One writer a pixel.
   void set_pilot(int x, int y, double variance) { pixels_[index(x, y)].pilot_variance = variance; }
-  /// Decides for the next pass.
+  /// Chooses the sample counts of the next pass.
   void choose();
 
   struct Pixel {
@@ -46,7 +46,7 @@ class AdaptiveSampleMap {
   };
   /// For checkpoints: sums of whole tiles.
   std::vector<Pixel>& pixels() { return pixels_; }
-  /// For checkpoints: what was decided.
+  /// For checkpoints: the chosen sample counts.
   std::vector<std::uint8_t>& decided() { return extra_; }
 
  private:

@@ -1,5 +1,5 @@
-// What the photon mapper says that its irradiance cache has wrong, against long path renders; and renders that are to
-// go on until their error is less.
+// The photon mapper's estimate of its irradiance cache's error, against long path renders. Also renders that are to
+// continue until their error is below that.
 
 #include "renderer/photon_mapping/cache_error.h"
 
@@ -32,11 +32,11 @@ TEST(cache_error, is_the_mean_of_products_relative_to_the_image_and_weighted) {
 RenderJob job_of_cache(std::int64_t spp, std::uint64_t seed) {
   RenderJob job = test::job_with(spp, 0, seed);
   job.budget.photons.reset();
-  job.sampler = SamplerKind::independent;  // variances are what they say
+  job.sampler = SamplerKind::independent;  // so that variances are unbiased
   return job;
 }
 
-/// relmse of the image by its bias: without what the variances of both explain.
+/// Squared bias of the image as relmse, without the part that the variances of both images explain.
 double squared_bias_of(const Rendering& image, const Rendering& truth) {
   double sum = 0;
   for (std::size_t i = 0; i < truth.mean.rgb.size(); ++i) {
@@ -47,7 +47,7 @@ double squared_bias_of(const Rendering& image, const Rendering& truth) {
   return sum / static_cast<double>(truth.mean.rgb.size());
 }
 
-/// Of caches of some seeds, the root of the mean square.
+/// Compares the root mean square over caches of some seeds.
 void expect_honest_claim(const char* name, const SceneDescription& scene) {
   constexpr int seeds = 6;
   const Rendering truth = test::render(scene, "path", job_of_cache(8192, 99)).image;
@@ -65,7 +65,7 @@ void expect_honest_claim(const char* name, const SceneDescription& scene) {
   EXPECT_LT(std::sqrt(claimed), std::sqrt(is) * 1.5);
 }
 
-/// Under the light hangs a plate twice as wide, black above: what it shades is lit by the walls alone.
+/// Under the light hangs a plate twice as wide, black above: only the walls light the area that it shades.
 SceneDescription room_behind_plate(int size) {
   SceneDescription scene = test::room(size, false);
   test::add_shape(scene, RectangleDescription{},

@@ -1,6 +1,6 @@
-// The view `cache-records`: where the records of an irradiance cache lie. The image's brightness B, dimmed to 0.3 B /
-// (B + 0.5), and on it a dot wherever a camera path ends within a pixel of a record, so that mirrors show the dots of
-// what they show. A dot's colour says how far its record is used, in pixels.
+// The view `cache-records`: positions of the records of an irradiance cache. The background is the image's brightness
+// B, dimmed to 0.3 B / (B + 0.5). A dot marks each camera path that ends within a pixel of a record; mirrors show the
+// dots of reflected surfaces. A dot's colour encodes how far its record is used, in pixels.
 #pragma once
 
 #include <cstdint>
@@ -12,18 +12,18 @@
 
 namespace photonproof::inline renderer_photon_mapping {
 
-/// From red over yellow and green to blue, of equal steps in its logarithm: 1.5, 4, 9 and 24 pixels.
+/// Colour from red over yellow and green to blue at 1.5, 4, 9 and 24 pixels, linear in the logarithm.
 Rgb colour_of_reach(float pixels);
 
-/// Of a tile in a pass.
+/// The camera paths of a tile in a pass.
 struct PicturedPaths {
-  const GatherQueue& ends;                     ///< where paths first met Lambertian surfaces
-  const std::vector<std::uint32_t>& pixel_of;  ///< of each path
-  const std::vector<std::uint32_t>& count;     ///< paths of each pixel
-  const std::vector<Rgb>& sum;                 ///< of their radiance, of each pixel
+  const GatherQueue& ends;                     ///< Points where paths first met Lambertian surfaces.
+  const std::vector<std::uint32_t>& pixel_of;  ///< Pixel of each path.
+  const std::vector<std::uint32_t>& count;     ///< Number of paths of each pixel.
+  const std::vector<Rgb>& sum;                 ///< Sum of the paths' radiance in each pixel.
 };
 
-/// For each pixel.
+/// Colour of each pixel.
 std::vector<Rgb> cache_picture(const IrradianceCache& cache, const CameraView& camera, const PicturedPaths& paths);
 
 }  // namespace photonproof::inline renderer_photon_mapping

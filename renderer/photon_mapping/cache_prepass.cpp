@@ -25,24 +25,24 @@ namespace {
 constexpr Stream cache_stream{12}, cache_global_stream{13}, cache_caustic_stream{14};
 constexpr Stream check_stream{17}, check_global_stream{18}, check_caustic_stream{19};
 
-constexpr double photons_of_cache = 250'000;  // where the budget says nothing
+constexpr double photons_of_cache = 250'000;  // where the budget gives no number
 constexpr int coarsest_lattice = 32;          // pixels
 constexpr std::size_t records_a_round = 64;
-/// Pixels that a record reaches at least and at most.
+/// Least and greatest distance up to which a record is used, in pixels.
 constexpr float least_reach = 1.5f, most_reach = 24;
 
-/// Of the distance to the nearest thing that a record sees, how many its radius is at most: kappa times as many are
-/// less than one, so that a record beside a slot does not stand for what lies in it.
+/// Bound of a record's radius, in distances to the nearest surface that it sees. Times kappa this is less than 1, so
+/// that a record beside a slot is not used inside the slot.
 constexpr float most_of_nearest = 4;
 
-/// Pixels where the cache is checked, and rays of what is gathered there for each of a record: noise falls faster with
-/// rays than with pixels. Both take as long as 1800 records.
+/// Number of pixels where the cache is checked, and rays of a check for each ray of a record. Noise falls faster with
+/// rays than with pixels. Both together take as long as 1800 records.
 constexpr std::size_t checked_pixel_count = 225;
 constexpr std::int64_t rays_a_check = 4;
 
 struct CachePoint {
   Vec3f p, n;
-  std::uint32_t number;  ///< of its pixel
+  std::uint32_t number;  ///< number of its pixel
   int x = 0, y = 0;
 };
 
@@ -61,10 +61,10 @@ class CacheMaker {
 
   std::vector<CachePoint> candidates(const Tile& window);
   IrradianceCache make(const std::vector<CachePoint>& points);
-  /// Pixels to check the cache at.
+  /// Pixels where the cache is checked.
   std::vector<CacheError::Pixel> checked_pixels(const IrradianceCache& cache, const Tile& window,
                                                 const std::vector<CachePoint>& points) const;
-  /// D of cache_error.h, by the maps' photons: of path number `half` of each of the pixels.
+  /// The values D of cache_error.h, by the maps' photons, for path number `half` of each of the pixels.
   std::vector<RgbD> differences(const IrradianceCache& cache, const std::vector<CacheError::Pixel>& pixels, int half);
   const RayTotals& rays() const { return rays_; }
 
@@ -84,7 +84,7 @@ class CacheMaker {
   const PhotonSource& source_;
   const GatherAreas& areas_;
   const std::vector<MapState*> maps_;
-  const MapState& near_hit_;  ///< whose radius it is
+  const MapState& near_hit_;  ///< the map whose gather radius limits near hits
   const HemisphereGrid grid_, check_grid_;
   const float kappa_;
   const PathSettings settings_;
@@ -92,7 +92,7 @@ class CacheMaker {
   RayTotals rays_;
 };
 
-/// Where camera paths first meet a Lambertian surface.
+/// Points where camera paths first meet a Lambertian surface.
 GatherQueue CacheMaker::ends_of(const CameraTask& camera) {
   PathTask task{.scene = &source_.scene.view(), .camera = camera, .settings = settings_};
   task.settings.direct_light = DirectLight::hits_only;
@@ -118,7 +118,7 @@ std::vector<CachePoint> CacheMaker::of_tile(const Tile& tile, std::uint32_t firs
   return points;
 }
 
-/// Coarse to fine, and in each lattice in a scrambled order, so that those of a round are far apart.
+/// Candidate points from coarse to fine lattices, each in a scrambled order, so that those of a round are far apart.
 std::vector<CachePoint> CacheMaker::candidates(const Tile& window) {
   struct Ordered {
     int lattice;
@@ -150,7 +150,7 @@ std::vector<CachePoint> CacheMaker::candidates(const Tile& window) {
   return points;
 }
 
-/// Adds what the map's photons bring.
+/// Adds the light that the map's photons bring.
 void CacheMaker::add_photons(MapState& map, GatherQueue& queue, std::vector<float>& radiance) const {
   if (map.map.empty() || queue.size() == 0) return;
   const GatherPoints points = queue.view();
@@ -161,9 +161,9 @@ void CacheMaker::add_photons(MapState& map, GatherQueue& queue, std::vector<floa
   kernels.add(points, radiance.data());
 }
 
-/// A ray through every cell of the hemisphere.
+/// Traces a ray through every cell of the hemisphere.
 HemisphereRays CacheMaker::gather(const HemisphereGrid& grid, const Vec3f& p, const Vec3f& n, std::uint32_t key) {
-  constexpr std::size_t slack = 16;  // of a pack
+  constexpr std::size_t slack = 16;  // elements, for a whole pack
   const std::size_t cells = grid.cells();
   const std::array<Vec3f, 2> axes = record_axes(n);
   std::array<std::vector<float>, 6> columns;
@@ -210,8 +210,8 @@ HemisphereRays CacheMaker::gather(const HemisphereGrid& grid, const Vec3f& p, co
   return rays;
 }
 
-/// Its radius: no further than its light would have changed altogether, bounded by the nearest thing it sees, and a few
-/// pixels at least.
+/// Makes the record at a point. Its radius is at most the distance over which its light would change by 100 %. The
+/// nearest visible surface also bounds the radius, and so does most_reach in pixels.
 IrradianceRecord CacheMaker::record_at(const CachePoint& point) {
   const float pixel = footprint(point.p);
   const std::uint32_t key = stream_seed(source_.job.seed, cache_stream, point.number + 1);
@@ -240,8 +240,8 @@ IrradianceCache CacheMaker::make(const std::vector<CachePoint>& points) {
   return cache;
 }
 
-/// Half of them evenly over the image, half as the cache is in doubt in them or beside them: some pixels have most of
-/// the error, at edges of lights and in corners.
+/// Half of the pixels are drawn evenly over the image, half by the cache's estimated error in them or beside them. Some
+/// pixels, at edges of lights and in corners, have most of the error.
 std::vector<CacheError::Pixel> CacheMaker::checked_pixels(const IrradianceCache& cache, const Tile& window,
                                                           const std::vector<CachePoint>& points) const {
   const auto width = static_cast<std::size_t>(window.width()),
@@ -275,7 +275,7 @@ std::vector<CacheError::Pixel> CacheMaker::checked_pixels(const IrradianceCache&
   return drawn;
 }
 
-/// Of a path: `number` tells it from all others.
+/// The value D for one path; `number` is unique to the path.
 RgbD CacheMaker::difference(const IrradianceCache& cache, const CacheError::Pixel& at, std::uint64_t number) {
   CameraTask camera = camera_task(source_.job, {at.x, at.y, at.x + 1, at.y + 1}, 0, 1);
   camera.seed = stream_seed(source_.job.seed, check_stream, 2 * number + 1);
@@ -309,7 +309,8 @@ void fill_for_cache(MapState& map, Stream stream, std::int64_t by_scene, const P
   refill(map, source, 0, 1, stats);
 }
 
-/// Others than the cache has, looked up within half of its radius: what that changes is an error of the cache, too.
+/// Refills the map with photons that the cache did not use and halves its radius. The change is an error of the cache,
+/// too.
 void refill_to_check(MapState& map, Stream stream, int half, const PhotonSource& source, const GatherAreas& areas,
                      RenderStats& stats) {
   if (!map.wanted) return;

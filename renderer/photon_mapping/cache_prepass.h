@@ -1,13 +1,13 @@
-// The irradiance cache of the photon mapper: records of the light that diffuse surfaces throw on each other, made
-// before the first pass and the same in all of them. A cache that grows while it is read depends on who comes first;
-// this one follows from the seed alone.
-//   Points are where one camera path of every pixel first meets a Lambertian surface, taken from a lattice that gets
-//   finer, in a scrambled order. Rounds take the next few that no record stands for, gather their light in parallel,
-//   and insert them in order where they are still needed.
-//   A record's rays are bounces as final_gather.h has them, through maps of photons of their own. Its light is that of
-//     L S* D(y) S* D(x)  and  L S+ D(y) S* D(x)  and  L (S|D)* D S* D(y) S* D(x)
-//   so that direct light and the caustic map are left to every pass. Since records stay, their error and that of
-//   interpolation do not fall with more samples. A limit of the paths' length takes x as seen directly.
+// The photon mapper's irradiance cache: records of the light that diffuse surfaces throw on each other. It is made
+// before the first pass and is the same in all passes. A cache that grows while it is read would depend on the order of
+// threads; this one follows from the seed alone.
+//   Candidate points are where one camera path of every pixel first meets a Lambertian surface. They are taken
+//   from lattices that get finer, in a scrambled order. Each round takes the next few points that no record covers,
+//   gathers their light in parallel, and inserts them in order where they are still needed.
+//   A record's rays are bounces as in final_gather.h, through maps with photons of their own. A record's light is
+//     `L S* D(y) S* D(x)`  and  `L S+ D(y) S* D(x)`  and  `L (S|D)* D S* D(y) S* D(x)`,
+//   so that every pass adds direct light and the caustic map itself. Records stay: their error and that of
+//   interpolation do not fall with more samples. A limit of the paths' length counts x as directly visible.
 #pragma once
 
 #include "renderer/core/parallel.h"

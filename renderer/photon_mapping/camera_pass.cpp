@@ -20,26 +20,26 @@ Rgb irradiance(const GatherPoints& points, std::size_t i) {
   return Rgb{points.flux_red[i], points.flux_green[i], points.flux_blue[i]} * (1 / points.area[i]);
 }
 
-/// Points that a path leaves for caustic photons alone, at most.
+/// Maximum of points that a path leaves for caustic photons alone.
 constexpr std::size_t caustic_points_a_path = 2;
 
-/// Null where there is none.
+/// The map of this kind; null without one.
 MapState* map_of(PhotonKind kind, const std::vector<MapState*>& maps) {
   const auto found = std::ranges::find(maps, kind, &MapState::kind);
   return found != maps.end() ? *found : nullptr;
 }
 
-/// The map that a final gather looks up; null where there is none.
+/// The map that a final gather reads; null without one.
 const MapState* map_to_gather(const PhotonSettings& settings, const std::vector<MapState*>& maps) {
   return settings.indirect == IndirectLight::gather ? map_of(PhotonKind::global, maps) : nullptr;
 }
 
-/// Of a planted fault that dims the map's light: what areas are multiplied by.
+/// Factor of gather areas; a planted fault dims the map's light by it.
 float fault_divisor(const MapState& map) {
   return has_fault(Fault::dim_caustic) && map.kind == PhotonKind::caustic ? 1 / 0.95f : 1.0f;
 }
 
-/// Where a view shows no direct light, paths that go on keep what they find further on.
+/// In views without direct light, paths that continue keep only the light that they find further on.
 PathSettings settings_of_view(PathSettings settings, const AovRow& view, bool goes_on) {
   settings.indirect_only = goes_on && !view.direct_light;
   return settings;
@@ -47,20 +47,20 @@ PathSettings settings_of_view(PathSettings settings, const AovRow& view, bool go
 
 }  // namespace
 
-/// Of all paths of a tile in a pass.
+/// The paths of a tile in a pass.
 struct CameraPass::TilePaths {
   Tile tile;
   std::int64_t pass;
-  double samples;                         ///< that the pass takes of every pixel
-  std::vector<float> radiance{};          ///< 3 a path
-  std::vector<std::uint32_t> pixel_of{};  ///< of each path; pixels of the tile row by row
+  double samples;                         ///< samples that the pass takes of every pixel
+  std::vector<float> radiance{};          ///< 3 values a path
+  std::vector<std::uint32_t> pixel_of{};  ///< pixel of each path; pixels of the tile row by row
   GatherQueue queue{0};
-  GatherQueue caustic_queue{0};  ///< of paths that go on
-  /// At rough parts, photons looked up; and the same points within a part of their radii.
+  GatherQueue caustic_queue{0};  ///< points of paths that continue
+  /// Points at rough parts with their gathered photons, and the same points with a part of their radii.
   GatherQueue rough{0}, rough_narrow{0};
   std::vector<float> radius_of_path{};
   std::vector<std::uint32_t> count;  ///< paths of each pixel
-  std::vector<Rgb> sum;              ///< of each pixel
+  std::vector<Rgb> sum;              ///< sum of each pixel
 
   TilePaths(const Tile& of, std::int64_t number, double samples_a_pixel)
       : tile(of),
@@ -102,7 +102,7 @@ CameraPass::CameraPass(const Scene& scene, const PhotonSettings& settings, const
       footprint_(std::max(median_pixel_footprint(scene), 1e-30f)),
       scratch_(job.kernels().path) {}
 
-/// What paths do beyond the first diffuse surface, and where they leave points.
+/// Sets the paths' policy beyond the first diffuse surface and the queues where they leave points.
 void CameraPass::leave_points(PathTask& task, TilePaths& paths) const {
   const std::size_t count = paths.pixel_of.size();
   const auto room = [](GatherQueue& queue, std::size_t points) {
@@ -124,7 +124,7 @@ void CameraPass::leave_points(PathTask& task, TilePaths& paths) const {
   task.caustics_at_first = view_.caustic_map;
 }
 
-/// Of the last paths.
+/// Prepares the gathers on rough parts, for the paths of the last batch.
 void CameraPass::gather_on_rough(RoughGathers& rough, TilePaths& paths) const {
   if (caustic_ == nullptr || !view_.caustic_map || has_fault(Fault::missing_caustic)) return;
   rough.map = caustic_->map.view();
@@ -178,7 +178,7 @@ void CameraPass::trace_extra(TilePaths& paths, RenderLoop& loop) {
   std::uint32_t most = 0;
   for (std::size_t pixel = 0; pixel < paths.count.size(); ++pixel)
     most = std::max(most, effort_.extra(paths.x(pixel), paths.y(pixel)));
-  for (std::uint32_t extra = 1; extra <= most; extra = 2 * extra + 1) {  // as AdaptiveSampleMap chooses them
+  for (std::uint32_t extra = 1; extra <= most; extra = 2 * extra + 1) {  // the numbers that AdaptiveSampleMap chooses
     alike.clear();
     for (std::size_t pixel = 0; pixel < paths.count.size(); ++pixel)
       if (effort_.extra(paths.x(pixel), paths.y(pixel)) == extra) alike.push_back(static_cast<std::uint32_t>(pixel));
@@ -225,7 +225,8 @@ void CameraPass::add_numbers(TilePaths& paths, double seconds, Film& numbers) co
   }
 }
 
-/// At the points where a pixel's samples end, summed: the caustic map's red, the global map's green.
+/// Radii in pixels, summed over the points where a pixel's samples end: red for the caustic map, green for the global
+/// map.
 std::vector<Rgb> CameraPass::radii_in_pixels(TilePaths& paths) const {
   std::vector<Rgb> sums(paths.count.size(), Rgb(0.0f));
   for (std::size_t i = 0; i < paths.queue.size(); ++i) {
@@ -263,7 +264,7 @@ void CameraPass::add_photons(TilePaths& paths) {
   if (paths.rough.size() > 0) add_photons_on_rough(paths);
 }
 
-/// What the kernel has looked up.
+/// Adds the photons that the kernel has gathered.
 void CameraPass::add_photons_on_rough(TilePaths& paths) {
   areas_->fill(paths.rough);
   const GatherPoints wide = paths.rough.view(), narrow = paths.rough_narrow.view();
@@ -310,7 +311,7 @@ void CameraPass::gather_in(const MapState& map, GatherQueue& queue) const {
   for (std::size_t i = 0; i < points.count && fault_divisor(map) != 1; ++i) points.area[i] *= fault_divisor(map);
 }
 
-/// What the pixels of the bias's lattice lose by their radius.
+/// Repeats the gathers of the bias's lattice pixels with the narrow radius, and adds their loss.
 void CameraPass::look_twice(const MapState& map, const std::vector<PixelPoint>& points, SharedGathers& shared,
                             TilePaths& paths) {
   constexpr std::uint32_t none = 0xFFFFFFFF;
@@ -335,7 +336,7 @@ void CameraPass::look_twice(const MapState& map, const std::vector<PixelPoint>& 
   }
 }
 
-/// What one path of the pixel loses by the map's radius.
+/// Adds the light that one path of the pixel loses by the map's radius.
 void CameraPass::add_lost(const MapState& map, std::uint32_t pixel, const Rgb& lost, const TilePaths& paths) {
   bias_.add(paths.x(pixel), paths.y(pixel), static_cast<int>(map.kind), paths.pass,
             RgbD(lost) / static_cast<double>(paths.count[pixel]), paths.samples);

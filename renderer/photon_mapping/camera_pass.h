@@ -1,5 +1,5 @@
-// The camera's half of a pass of the photon mapper: paths to their first diffuse surfaces, and what the maps' photons
-// bring to where they end.
+// The camera's half of a pass of the photon mapper: paths to their first diffuse surfaces, and the light that the maps'
+// photons bring to the paths' ends.
 #pragma once
 
 #include <cstdint>
@@ -20,14 +20,14 @@ namespace photonproof::inline renderer_photon_mapping {
 
 class CameraPass {
  public:
-  /// `areas` is null without maps. Everything must outlive this.
+  /// Pass null `areas` without maps. All arguments must outlive this object.
   CameraPass(const Scene& scene, const PhotonSettings& settings, const RenderPlan& plan, const RenderJob& job,
              std::vector<MapState*> maps_shown, const GatherAreas* areas, GatherBias& bias, AdaptiveSampleMap& effort);
-  /// From here on takes the light of the global map from it.
+  /// From now on takes the global map's light from this cache.
   void use(const IrradianceCache& cache) { cache_ = &cache; }
 
-  /// Adds the tile's estimate of pass number `pass` to the image, to the bias and to the effort, and where the view is
-  /// a number that one to `numbers`.
+  /// Adds the tile's estimate of pass number `pass` to the image, to the bias and to the effort. If the view is a
+  /// number, also adds that number to `numbers`.
   void render(const Tile& tile, std::int64_t pass, RenderLoop& loop, Film& image, Film* numbers);
 
  private:
@@ -56,19 +56,19 @@ class CameraPass {
   const Scene& scene_;
   const RenderJob& job_;
   const AovRow& view_;
-  const bool shares_;  ///< gathers
+  const bool shares_;  ///< Whether samples share gathers.
   const IrradianceCache* cache_ = nullptr;
   const std::vector<MapState*> maps_;
-  MapState* const caustic_;         ///< null: none
-  const MapState* const gathered_;  ///< the global map, one bounce further (final_gather.h); null: none
-  const bool traces_paths_;         ///< beyond the first diffuse surface, in place of a global map
-  const bool goes_on_;              ///< beyond the first diffuse surface, one way or the other
+  MapState* const caustic_;         ///< Null without a caustic map.
+  const MapState* const gathered_;  ///< Global map for gathers one bounce further (final_gather.h); null without.
+  const bool traces_paths_;         ///< Paths are traced beyond the first diffuse surface, in place of a global map.
+  const bool goes_on_;              ///< Light is sought beyond the first diffuse surface, by gathers or by paths.
   const GatherAreas* const areas_;
   GatherBias& bias_;
   AdaptiveSampleMap& effort_;
   const PhotonSettings& settings_;
   const PathSettings path_settings_;
-  const float footprint_;  ///< of a pixel, at the median of what is seen
+  const float footprint_;  ///< footprint of a pixel, at the median of the visible points
   ScratchPool scratch_;
 };
 

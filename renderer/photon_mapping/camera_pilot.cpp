@@ -20,20 +20,20 @@ namespace {
 
 constexpr Stream look_around_stream{20}, pilot_sample_stream{21};
 
-/// Every so many rows one is looked at.
+/// The pilot first samples one of this many rows.
 constexpr int rows_apart = 4;
-/// Samples of a pixel that sees something by mirrors or through glass, and of one that came near a light: so many,
-/// unless they are more than this part of one for every pixel.
+/// Samples of a pixel that sees something by mirrors or through glass, and of one that came near a light. The samples
+/// of all these pixels are limited to part_of_pixels times the number of pixels.
 constexpr double few_samples = 16, many_samples = 128;
 constexpr double part_of_pixels = 0.5;
-/// Of a light's radii: what counts as near, of few and of many samples.
+/// Distance that counts as near, in radii of a light: in pixels with few and with many samples.
 constexpr float near_of_few = 16, near_of_many = 4;
-/// Edges of a path: after more, even lobes are seldom met.
+/// Maximum of a path's edges: after more, even equally chosen lobes seldom meet a light.
 constexpr int longest = 8;
-/// Each ray looks for all lights.
+/// Each ray is tested against all lights.
 constexpr std::size_t most_lights = 16;
 
-/// Empty where there are more, or none.
+/// Balls around the lights; empty for more than most_lights.
 std::vector<LightBall> light_balls(const Scene& scene) {
   std::vector<LightBall> balls;
   for (std::size_t i = 0; i < scene.lights.size(); ++i) {
@@ -47,7 +47,7 @@ std::vector<LightBall> light_balls(const Scene& scene) {
   return balls;
 }
 
-/// Something of every pixel of a window, row by row.
+/// A value for every pixel of a window, row by row.
 template <class T>
 class Plane {
  public:
@@ -79,11 +79,11 @@ class Plane {
 };
 using Marks = Plane<std::uint8_t>;
 
-/// Of a pixel's samples.
+/// Statistics of a pixel's samples.
 struct Found {
   std::uint32_t samples = 0;
-  double sum = 0, squares = 0;  ///< of what was met
-  float nearest = 0;            ///< the most that one came near to
+  double sum = 0, squares = 0;  ///< of the light that was met
+  float nearest = 0;            ///< greatest contribution of a light that a sample came near
 
   void add(const float* sample) {
     const double met = 0.5 * (double{sample[0]} + double{sample[1]});
@@ -111,7 +111,7 @@ class Pilot {
 
   /// Marks pixels near those that see something by mirrors or through glass.
   Marks look_around();
-  /// So many samples for each of the pixels, unless they are too many; numbers begin at `first`.
+  /// Takes so many samples of each of the pixels, fewer if the pixels are too many. Numbers begin at `first`.
   void sample(Marks& pixels, std::int64_t first, double samples, float within);
   /// The pixels that came nearest to lights, and their neighbours.
   Marks nearest_to_lights();

@@ -1,7 +1,7 @@
-// Camera samples beforehand, which are in no image: they find the pixels where ordinary samples would rarely meet a
-// light by mirrors or through glass, before one of them does and outshines the image. Smooth glass reflects as often as
-// it refracts in them (light_search.h), so that what a camera path finds after reflections inside is found a hundred
-// times as soon. By their variance a pixel's number of samples is chosen (adaptive_sample_map.h), which biases nothing.
+// Pilot camera samples, which contribute to no image. They find pixels where ordinary samples would rarely meet a light
+// by mirrors or through glass, before one of these outshines the image. In the pilot smooth glass reflects as often as
+// it refracts (light_search.h). Light after reflections inside glass is thus found a hundred times as soon. The pilot's
+// variance only chooses a pixel's number of samples (adaptive_sample_map.h), which causes no bias.
 #pragma once
 
 #include <cstdint>
@@ -14,8 +14,8 @@
 
 namespace photonproof::inline renderer_photon_mapping {
 
-/// Tells `effort` about the window's pixels. Some rows are looked at first; pixels near those that see something by
-/// mirrors or through glass then get more samples, the more of them the fewer pixels they are.
+/// Passes the variance of the window's pixels to `effort`. First samples some rows. Pixels near those that see
+/// something by mirrors or through glass then get more samples, the more the fewer such pixels there are.
 void run_camera_pilot(const Scene& scene, const PathSettings& settings, const RenderJob& job, const Threads& threads,
                       const Tile& window, AdaptiveSampleMap& effort, RenderStats& stats);
 

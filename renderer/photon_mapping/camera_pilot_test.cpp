@@ -1,4 +1,4 @@
-// Camera samples beforehand find lights that are rarely met, and bias nothing.
+// The camera pilot finds lights that are rarely met, and causes no bias.
 
 #include "renderer/photon_mapping/camera_pilot.h"
 
@@ -16,7 +16,7 @@
 namespace photonproof::inline renderer_photon_mapping {
 namespace {
 
-/// The room with one glass ball under a light of a hundredth of a pixel's size when seen in it.
+/// The room with one glass ball under a light that appears in it a hundredth of a pixel wide.
 SceneDescription room_with_tiny_light(int size) {
   SceneDescription scene = test::room(size, true);
   scene.shapes.pop_back();  // the mirror
@@ -35,7 +35,7 @@ Image rendered(const SceneDescription& scene, const char* integrator, std::int64
   return test::render(scene, integrator, job).image.mean;
 }
 
-/// Largest share of the image's relmse that one pixel has.
+/// Largest share of one pixel in the image's relmse.
 double worst_pixel(const Image& image, const Image& reference) {
   double worst = 0;
   const double pixels = static_cast<double>(image.rgb.size()) / 3;
@@ -50,7 +50,7 @@ double worst_pixel(const Image& image, const Image& reference) {
   return worst;
 }
 
-// The mean square of even lobes' samples is that of ordinary ones, p X^2 + (1 - p) Y^2, and either lobe is as frequent.
+// With equally probable lobes the samples' mean square equals that of ordinary samples, p X^2 + (1 - p) Y^2.
 TEST(camera_pilot, even_lobes_keep_the_mean_square) {
   constexpr int draws = 1000;
   for (const float p : {0.0f, 0.02f, 0.3f, 0.97f, 1.0f}) {
@@ -68,7 +68,7 @@ TEST(camera_pilot, even_lobes_keep_the_mean_square) {
   }
 }
 
-// A ball of radius 0.1, 0.3 beside a ray: a third of its radiance is what the path came near to, and nothing is met.
+// A ball of radius 0.1 lies 0.3 beside a ray: the near contribution is a third of its radiance, and no light is met.
 TEST(camera_pilot, a_ray_is_worth_the_part_of_a_light_that_its_distance_is_of_the_radius) {
   struct State {
     Vec3f origin{0, 0, 0}, direction{0, 0, 1}, throughput{0.5f, 0.25f, 0}, radiance{0, 0, 0};
@@ -91,11 +91,12 @@ TEST(camera_pilot, a_ray_is_worth_the_part_of_a_light_that_its_distance_is_of_th
   EXPECT_EQ(found(4, 0.25f, 1).x, 0) << "hidden";
 }
 
-// The pilot against a witness: pixels in which the path tracer met the light behind the glass get many more samples.
+// The pilot against an independent reference: pixels in which the path tracer met the light behind the glass get many
+// more samples.
 TEST(camera_pilot, finds_the_pixels_where_a_path_tracer_meets_the_light) {
   constexpr int size = 128;
   const SceneDescription description = room_with_tiny_light(size);
-  SceneDescription black = description;  // nothing but what mirrors and glass show of the light
+  SceneDescription black = description;  // leaves only the light's images in mirrors and glass
   for (BsdfDescription& bsdf : black.bsdfs)
     if (auto* diffuse = std::get_if<DiffuseDescription>(&bsdf.model)) *diffuse = DiffuseDescription{RgbD(0)};
   const Image shown = rendered(black, "path", 2048, 5);
@@ -119,7 +120,7 @@ TEST(camera_pilot, finds_the_pixels_where_a_path_tracer_meets_the_light) {
   std::printf("%.3g of the light's light of %.3g is in steered pixels, %d chosen\n", steered_light, shown_light,
               chosen);
   EXPECT_GT(shown_light, 1);
-  // The rest was met once in a pixel's 2048 samples.
+  // The rest was met once in 2048 samples of a pixel.
   EXPECT_GT(steered_light, 0.85 * shown_light);
   EXPECT_LT(chosen, size * size / 20);
 }

@@ -1,4 +1,4 @@
-// The caustic of cornell-spheres, isolated: the photon mapper's flux on the floor against a converged path tracing.
+// The isolated caustic of cornell-spheres: the photon mapper's flux on the floor against converged path tracing.
 
 #include <gtest/gtest.h>
 
@@ -14,12 +14,12 @@
 namespace photonproof::inline renderer_photon_mapping {
 namespace {
 
-/// cornell-spheres with every wall but the floor black: what reaches the floor beyond direct light is the caustic
-/// alone.
+/// The scene cornell-spheres with all walls black except the floor. Light on the floor beyond direct light is then the
+/// caustic alone.
 SceneDescription floor_and_balls() {
   SceneDescription scene = parse_scene_file(PHOTONPROOF_SOURCE_DIR "/scenes/library/cornell-spheres/scene.xml");
   scene.sensor.film.width = scene.sensor.film.height = 64;
-  // Closer to the caustic than the file's camera: paths that end elsewhere would only take time.
+  // The camera is closer to the caustic than the file's: paths that end elsewhere would only take time.
   scene.sensor.to_world = Transform::look_at({0, 0, 3.9}, {0.45, -0.98, 0.6}, {0, 1, 0});
   std::get<PerspectiveDescription>(scene.sensor.camera).fov_degrees = 14;
   const BsdfIndex black = test::add_bsdf(scene, DiffuseDescription{RgbD(0)});
@@ -35,7 +35,7 @@ float height(const Surface& surface) {
   return quad == nullptr ? INFINITY : quad->corner.y + (quad->edge_u.y + quad->edge_v.y) / 2;
 }
 
-/// Pixels that see nothing but the floor: their neighbours do too.
+/// Pixels that see only the floor, as do their neighbours.
 std::vector<std::size_t> floor_pixels(const Scene& scene) {
   const auto lowest = [](const Surface& a, const Surface& b) { return height(a) < height(b); };
   const auto floor = static_cast<std::uint32_t>(std::min_element(scene.surfaces.begin(), scene.surfaces.end(), lowest) -
@@ -64,10 +64,10 @@ double floor_sum(const SceneDescription& description, const std::vector<std::siz
   return sum;
 }
 
-// A beam of irradiance 3 along x meets a mirror at 45 degrees and goes straight down: the floor below has the
-// irradiance 3, all of it caustic, and with albedo 1/2 the radiance 1.5 / pi, far from edges at any radius. Of 2e6
-// photons 2e5 land in view: 0.25 % if they were independent, and Sobol's points are evener. Paths of three edges leave
-// out what the floor sends to itself by the mirror. Photons with 1 % of their energy missing would be seen.
+// A beam of irradiance 3 along x meets a mirror at 45 degrees and goes straight down. The floor below has the
+// irradiance 3, all of it caustic. With albedo 1/2 its radiance is 1.5 / pi, far from edges at any radius. Of 2e6
+// photons 2e5 land in view: an error of 0.25 % if they were independent, and less with Sobol's points. Paths of three
+// edges omit light that the floor sends to itself by the mirror. The test detects a loss of 1 % of the photons' energy.
 TEST(caustic, of_a_plane_mirror_is_as_bright_as_the_beam) {
   SceneDescription scene;
   const BsdfIndex grey = test::add_bsdf(scene, DiffuseDescription{RgbD(0.5)});
@@ -92,7 +92,8 @@ TEST(caustic, flux_on_the_floor_of_cornell_spheres_agrees_with_path_tracing) {
   const SceneDescription scene = floor_and_balls();
   const auto pixels = floor_pixels(test::compiled(scene, 64, 64));
   ASSERT_GT(pixels.size(), 500u);
-  // Two edges are direct light alone; the same direct estimator and random numbers leave the caustic as the difference.
+  // Paths of two edges are direct light alone. With the same direct estimator and random numbers, the difference is the
+  // caustic.
   const double path = floor_sum(scene, pixels, "path", 17, 2048) - floor_sum(scene, pixels, "path", 2, 2048);
   const double photons =
       floor_sum(scene, pixels, "photonmapper", 17, 64) - floor_sum(scene, pixels, "photonmapper", 2, 64);

@@ -11,9 +11,10 @@
 namespace photonproof::inline renderer_photon_mapping {
 namespace {
 
-/// Of the radius squared: what is left of a disc is more, or rounding has left it.
+/// Smallest uncovered area, in squared radii: a disc with less left is a rounding error.
 constexpr double least_left = 1e-4;
-/// Every flat surface is tried with every solid; beyond, scenes are seen from so far that feet are small.
+/// Limit of pairs, as every flat surface is tested with every solid. Larger scenes are seen from so far that footprints
+/// are small.
 constexpr std::size_t pairs_worth_testing = 1'000'000;
 
 struct PlacedSolid {
@@ -28,7 +29,8 @@ bool is_opaque(const SceneParts& scene, std::size_t surface) {
                                [](const Bsdf& leaf, bool) { return lets_light_through(leaf); });
 }
 
-/// Taken for one where any corner or the middle of the box around a light is inside, or the solid's middle in that box.
+/// Whether the solid contains a light, in box tests. True where it contains a corner or the middle of the box around a
+/// light, or that box contains the solid's middle.
 bool holds_light(const SceneParts& scene, const Solid& solid) {
   return std::ranges::any_of(scene.lights, [&](const Light& light) {
     const std::optional<LightBounds> box = light_bounds(light);
@@ -42,7 +44,7 @@ bool holds_light(const SceneParts& scene, const Solid& solid) {
   });
 }
 
-/// A shape that is solid by itself. Cubes are six surfaces.
+/// The solid of a single shape. Cubes are made of six surfaces.
 std::optional<Solid> solid_of(const Geometry& geometry) {
   using MaybeSolid = std::optional<Solid>;
   return std::visit(
@@ -67,7 +69,7 @@ std::vector<PlacedSolid> solids_of(const SceneParts& scene) {
   return solids;
 }
 
-/// What the solid covers of a flat surface; nothing of others, whose gathers count all of their discs.
+/// The solid's footprint on a flat surface; empty for other shapes, whose gathers use their whole discs.
 std::optional<Footprint> footprint(const Solid& solid, const Geometry& geometry) {
   using MaybeFootprint = std::optional<Footprint>;
   return std::visit(
@@ -79,7 +81,7 @@ std::optional<Footprint> footprint(const Solid& solid, const Geometry& geometry)
       geometry);
 }
 
-/// What two cover together must count once: of those that overlap the larger is left.
+/// Area that two footprints cover must count once: of overlapping footprints only the largest stays.
 void keep_apart(std::vector<Footprint>& footprints) {
   std::ranges::stable_sort(footprints, std::ranges::greater{}, [](const Footprint& f) { return f.area(); });
   std::vector<Footprint> apart;

@@ -1,4 +1,4 @@
-// Gathers beside what stands on a surface: no light lands under it, and none of it is missing beside it.
+// Gathers beside objects that stand on a surface: no light lands under them, and none is missing beside them.
 
 #include <gtest/gtest.h>
 
@@ -10,8 +10,8 @@
 namespace photonproof::inline renderer_photon_mapping {
 namespace {
 
-/// A room in which every surface emits 1 and has albedo 0.5, so that the radiance is 2 everywhere: boxes on the floor
-/// and on each other, seen from close by.
+/// A room with boxes on the floor and on each other, seen from close by. Every surface emits 1 and has albedo 0.5, so
+/// the radiance is 2 everywhere.
 SceneDescription furnace_with_boxes(int size) {
   SceneDescription scene;
   const BsdfIndex grey = test::add_bsdf(scene, DiffuseDescription{RgbD(0.5)});
@@ -33,8 +33,8 @@ SceneDescription furnace_with_boxes(int size) {
   return scene;
 }
 
-/// Of what the global map shows, over blocks: how far they are from what light of two bounces and more adds there to
-/// what walls emit and what one bounce adds, 2 - 1 - 0.5.
+/// Worst relative error of the global map over blocks. The expected value is light of at least two bounces: 2 less the
+/// emission 1 less one bounce 0.5.
 double worst_block_of_map(SceneDescription scene) {
   RenderJob job = test::job_with(16, 8'000'000);
   job.view = Aov::global;
@@ -53,7 +53,7 @@ TEST(box_feet, a_furnace_is_as_bright_beside_what_stands_in_it) {
 }
 
 TEST(box_feet, what_lets_light_through_covers_nothing) {
-  // Glass that bends no light and reflects none: photons land under it.
+  // Glass that neither bends nor reflects light: photons land under it.
   SceneDescription scene = furnace_with_boxes(48);
   DielectricDescription nothing;
   nothing.int_ior = nothing.ext_ior = 1;
@@ -63,14 +63,13 @@ TEST(box_feet, what_lets_light_through_covers_nothing) {
 }
 
 TEST(box_feet, a_light_inside_keeps_its_light) {
-  // A closed box around the camera and a light: what it shows of the floor that it stands on is as if it covered
-  // nothing.
+  // A closed box around the camera and a light: the floor that it stands on must look as if it were not covered.
   SceneDescription scene;
   const BsdfIndex grey = test::add_bsdf(scene, DiffuseDescription{RgbD(0.5)});
   ShapeDescription& walls = test::add_shape(scene, CubeDescription{}, Transform::scale(Vec3d(3)), grey);
   walls.flip_normals = true;
   walls.radiance = RgbD(1);
-  // Its sides face outward; from inside they are black, so that light of the light falls on the floor alone.
+  // The box's sides face outward and are black from inside, so that the light shines on the floor alone.
   test::add_shape(scene, CubeDescription{}, Transform::translate({0.5, -2, 0.5}), grey);
   ShapeDescription& light = test::add_shape(scene, SphereDescription{{0.5, -1.5, 0.5}, 0.2}, {}, grey);
   light.radiance = RgbD(5);

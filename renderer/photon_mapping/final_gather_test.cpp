@@ -1,5 +1,5 @@
-// The photon mapper with final gathering against closed forms and the path tracer. That paths are counted once and none
-// is forgotten also shows in photon_agreement_test.cpp, a block at a time.
+// The photon mapper with final gathering against closed forms and the path tracer. photon_agreement_test.cpp also
+// shows, block by block, that every path is counted exactly once.
 
 #include <gtest/gtest.h>
 
@@ -18,7 +18,7 @@ SceneDescription gathered(const SceneDescription& scene, double radius = 0) {
   return test::with_indirect(scene, IndirectLight::gather, radius);
 }
 
-/// The room with the light unseen: its few bright pixels would carry most of the mean's noise.
+/// The room with the light out of view: its few bright pixels would carry most of the mean's noise.
 SceneDescription room_to_gather(bool with_balls) {
   SceneDescription scene = test::room(32, with_balls);
   scene.integrator.method = PathDescription{-1, 5, true};
@@ -34,8 +34,8 @@ TEST(final_gather, furnace_mean_and_blocks_are_two) {
 }
 
 TEST(final_gather, depth_counts_the_bounce_and_light_edges_together) {
-  // Emission and k - 1 bounces of albedo 1/2: 1, 1.5, 1.75, 1.875. To depth 2 there is no map; to depth 3 the second
-  // hit has direct light alone, from depth 4 on photons, too.
+  // Emission and k - 1 bounces of albedo 1/2: 1, 1.5, 1.75, 1.875. To depth 2 there is no map. At depth 3 the second
+  // hit has direct light alone, from depth 4 also photons.
   const double expected[] = {1, 1.5, 1.75, 1.875};
   for (int depth = 1; depth <= 4; ++depth) {
     SceneDescription scene = test::furnace(0.5, 1, 16);
@@ -46,7 +46,8 @@ TEST(final_gather, depth_counts_the_bounce_and_light_edges_together) {
 }
 
 TEST(final_gather, near_hits_that_are_traced_on_have_the_same_depth) {
-  // A gather within 2 R of a sphere reaches all of it: every second hit is a near one, and the third looks up.
+  // In a sphere a gather within 2 R reaches everything: every second hit is a near one, and the third hit gathers
+  // photons.
   SceneDescription scene = test::furnace(0.5, 1, 16);
   scene.integrator.method = PathDescription{4, 24, false};
   const auto out = render(gathered(scene, 2.01), "photonmapper", job_with(64, 500'000));
@@ -64,7 +65,7 @@ TEST(final_gather, rooms_have_the_path_tracers_mean) {
 }
 
 TEST(final_gather, open_scenes_under_a_sky_have_the_path_tracers_mean) {
-  // The bounce meets the sky, which light samples find, too: both are weighted. The mirror shows it unweighted.
+  // The bounce meets the sky, which light sampling also finds: both are weighted. The mirror shows the sky unweighted.
   SceneDescription scene = room_to_gather(true);
   scene.shapes.erase(scene.shapes.begin() + 2);  // the ceiling
   scene.emitters.push_back({{}, "", ConstantLightDescription{RgbD{0.5, 0.7, 1}}});

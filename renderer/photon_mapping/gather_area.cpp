@@ -12,16 +12,17 @@
 namespace photonproof::inline renderer_photon_mapping {
 namespace {
 
-/// Whether all that a ball of the radius holds of the surface has one normal and one tangent plane, or near enough.
+/// Whether all of the surface within a ball of the radius has nearly one normal and one tangent plane.
 bool is_one_sheet(const Geometry& geometry, float radius) {
   const float surface_radius = std::visit([](const auto& shape) { return shape.curvature_radius(); }, geometry);
   return radius < 0.99f * 2 * sheet_height * surface_radius;
 }
-// As far from p as the radius r, a surface of curvature radius R is r^2 / 2R from the tangent plane, and the versine
-// of the normals' angle is r^2 / 2R^2: below the limits where r < 2 sheet_height R.
+// At the distance r from p, a surface of curvature radius R lies r^2 / 2R off the tangent plane. The versine of the
+// normals' angle is r^2 / 2R^2. Both are below the limits for r < 2 sheet_height R.
 static_assert(2 * sheet_height * sheet_height < 1 - least_side_cosine);
 
-/// How likely a hit of the BSDF draws a leaf that `stores` photons; `weight` gives the numbers of masks and blends.
+/// Probability that a hit of the BSDF chooses a leaf that `stores` photons; `weight` gives the numbers of masks and
+/// blends.
 template <class Stores, class Weight>
 float chance_of_leaf(const Scene& scene, std::uint32_t bsdf, bool behind, const Stores& stores, const Weight& weight) {
   const BsdfNode& node = scene.bsdfs.tree[bsdf];
@@ -65,7 +66,7 @@ std::vector<SheetTest> GatherAreas::tests(float radius) const {
   std::vector<SheetTest> tests;
   tests.reserve(scene_.surfaces.size());
   for (const Surface& surface : scene_.surfaces) {
-    // What wraps another BSDF may be one that shows the same on both sides.
+    // A BSDF that wraps another may be the same on both sides of the surface.
     const SheetTest of_flat = scene_.bsdfs.is_leaf(surface.bsdf) ? SheetTest::none : SheetTest::side;
     tests.push_back(is_one_sheet(surface.geometry, radius) ? of_flat : SheetTest::side_and_normal);
   }

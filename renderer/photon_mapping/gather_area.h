@@ -1,4 +1,4 @@
-// The areas that photon gathers divide by, and what they compare of photons and points, for every surface of a scene.
+// Areas that photon gathers divide by, and the tests that match photons with points, for every surface of a scene.
 #pragma once
 
 #include <map>
@@ -17,15 +17,15 @@ class GatherAreas {
   /// `scene` must outlive this.
   GatherAreas(const Scene& scene, const Threads& threads);
 
-  /// By surface, for gathers of this radius: no more than the surface makes necessary.
+  /// The test for each surface in gathers of this radius; no stricter than the surface makes necessary.
   std::vector<SheetTest> tests(float radius) const;
 
-  /// What a gather's flux is divided by: the area of the points whose photons it counts, 0 where rounding leaves none,
-  /// times how likely a photon that lands at `point` meets a Lambertian leaf of the surface's BSDF, or one that can be
-  /// rough if the point is of a rough part. A photon is stored where it draws one, and the camera's path came here by
-  /// drawing one too; the light that it reflects is all of it.
+  /// Divisor of a gather's flux: the area of the points whose photons it counts, times the probability that a photon is
+  /// stored there. The area is 0 where rounding leaves none. The probability is that of choosing a Lambertian leaf of
+  /// the surface's BSDF at `point`, or for a point of a rough part a leaf that can be rough. Photon and camera path
+  /// both choose a leaf, so without the divisor the probability would enter twice.
   float divisor(const GatherPoint& point, float radius) const { return area(point, radius) * stored_share(point); }
-  /// Fills the queue's column, for what was found within its radii.
+  /// Fills the queue's column of areas, for the photons found within its radii.
   void fill(GatherQueue& points) const;
 
  private:
@@ -38,8 +38,8 @@ class GatherAreas {
   struct MayMiss {
     bool lambertian = false, rough = false;
   };
-  std::vector<MayMiss> may_miss_;         ///< by surface: whether it has leaves that are not
-  std::vector<const MeshArea*> mesh_of_;  ///< by surface; null where it is none, or nothing is stored
+  std::vector<MayMiss> may_miss_;         ///< by surface: whether some leaves store no photons
+  std::vector<const MeshArea*> mesh_of_;  ///< by surface; null where it has no mesh or stores nothing
   CoveredAreas covered_;
 };
 

@@ -31,7 +31,7 @@ GatherBias::GatherBias(const Tile& window)
       pixels_(static_cast<std::size_t>(across_) * static_cast<std::size_t>(down_)),
       narrowings_(block_index(0, 0, maps), 1.0f) {}
 
-/// Sums over the channels.
+/// Sums over the channels of one pixel.
 GatherBias::Evidence GatherBias::of_pixel(const Film& film, int x, int y, int map, const PassHalves& halves) const {
   const Pixel& pixel = pixels_[index(x, y)];
   RgbD half[2];
@@ -66,7 +66,7 @@ GatherBias::Evidence GatherBias::evidence(const Film& film, int map, const PassH
 }
 
 void GatherBias::narrow(const Film& film, const PassHalves& halves) {
-  // The product of the halves' means strays by twice the variance over the root of the number of discs side by side.
+  // The product of the halves' means deviates by twice the variance over the root of the number of disjoint discs.
   constexpr double doubt = 1, most_shrinking = 0.85, most_growing = 1.1, narrowest = 1.0 / 16;
   if (halves.passes[1] < 2) return;
   std::vector<Evidence> sums(narrowings_.size());
@@ -89,7 +89,7 @@ void GatherBias::narrow(const Film& film, const PassHalves& halves) {
 }
 
 float GatherBias::narrowing(int x, int y, int map) const {
-  // Between the middles of the blocks, in blocks.
+  // Position between the middles of the blocks, in blocks.
   const auto place = [&](int at, int first, int blocks) {
     const float size = static_cast<float>(stride_ * block);
     const float where = (static_cast<float>(at - first * stride_) + 0.5f) / size - 0.5f;
@@ -113,7 +113,7 @@ void RadiusHistory::add_pass(double pass_samples, double photons) {
 }
 
 double RadiusHistory::best(const GatherBias::Evidence& evidence, double all_samples) const {
-  // As if all passes had had the radius of the mean square; of less difference than this, noise would decide.
+  // Assumes that all passes had the root-mean-square radius. The bound on the difference keeps noise from deciding.
   const double mean_square = samples_times_square / samples;
   const double variance = evidence.variance * squared_samples_over_photons /
                           (mean_square * squared_samples_over_photons_r_2) * samples / all_samples;

@@ -1,4 +1,4 @@
-// What passes of the photon mapper share and learn, on numbers whose answer is known.
+// Sharing and learning between passes of the photon mapper, on numbers with known answers.
 
 #include <gtest/gtest.h>
 
@@ -15,10 +15,10 @@
 namespace photonproof::inline renderer_photon_mapping {
 namespace {
 
-/// Irradiance at a place, which discs of photons would find.
+/// Irradiance at a place, as discs of photons would measure it.
 Rgb light_at(const Vec3f& p) { return {1 + p.x, 2 + p.x * p.x, 0.5f + p.y}; }
 
-/// `paths` of every pixel of a tile of 4 x 4, on two surfaces; weights and places differ.
+/// Points of `paths` paths of every pixel of a tile of 4 x 4, on two surfaces; weights and places differ.
 GatherQueue points_of(std::uint32_t paths, std::vector<std::uint32_t>& pixel_of) {
   GatherQueue queue(16 * paths);
   pixel_of.clear();
@@ -27,7 +27,7 @@ GatherQueue points_of(std::uint32_t paths, std::vector<std::uint32_t>& pixel_of)
     pixel_of.push_back(pixel);
     const float u = std::fmod(0.618f * static_cast<float>(i), 1.0f);
     const float v = std::fmod(0.414f * static_cast<float>(i), 1.0f);
-    if (i % 5 == 0) continue;  // a path that met nothing
+    if (i % 5 == 0) continue;  // a path that met no surface
     queue.push_back({.p = {0.01f * (static_cast<float>(pixel % 4) + u), 0.01f * (static_cast<float>(pixel / 4) + v), 0},
                      .weight = {u, 0.5f + v, 0.25f},
                      .path = i,
@@ -47,7 +47,7 @@ std::vector<Rgb> expected_sums(GatherQueue& queue, const std::vector<std::uint32
   return sums;
 }
 
-/// Of each pixel's sum over many draws: mean and its standard error, red.
+/// Mean of each pixel's sum over many random choices, and its standard error, red channel.
 struct Shared {
   std::vector<double> sum = std::vector<double>(16), squares = sum;
   int draws;
@@ -147,7 +147,7 @@ struct MadeRender {
 };
 
 TEST(gather_bias, is_seen_through_noise) {
-  // Noise of a pixel's mean of D: sqrt(3c/(1000 x 60))/r = 0.22, thirty times what is looked for.
+  // Noise of a pixel's mean of D: sqrt(3c/(1000 x 60))/r = 0.22, thirty times the expected D.
   const MadeRender made(1, 10, 0.1);
   const GatherBias::Evidence evidence = made.bias.evidence(made.film, 1, made.halves);
   EXPECT_NEAR(evidence.variance / (3 * 0.01 / made.halves.all_samples() / 0.01), 1, 0.05);
@@ -167,7 +167,7 @@ TEST(gather_bias, says_nothing_before_both_halves_have_a_pass) {
 }
 
 TEST(radius_history, finds_the_radius_that_makes_bias_and_variance_least) {
-  // v/(n r^2) + b^2 r^4 over a fine row of radii, whatever radius the evidence is from.
+  // Reference: v/(n r^2) + b^2 r^4 over finely spaced radii, whatever radius the evidence is from.
   for (const double radius : {0.05, 0.1, 0.2}) {
     const double b = 3, c = 0.001;
     const MadeRender made(b, c, radius);
@@ -189,7 +189,7 @@ TEST(adaptive_sample_map, goes_where_passes_disagree_and_around_it) {
     for (int y = 0; y < 16; ++y)
       for (int x = 0; x < 16; ++x) effort.add(x, y, RgbD(1 + (x == 5 && y == 9 ? 1.0 : 0.01) * normal(random)), 1);
   effort.choose();
-  // Of 256 pixels 9 count as some 70 times as uncertain as the others: 1 / (9/256 + 1/70) = 20 times as the mean.
+  // The deviation of 9 among 256 pixels is about 70 times the others': 1 / (9/256 + 1/70) = 20 times the mean.
   for (int y = 0; y < 16; ++y)
     for (int x = 0; x < 16; ++x) {
       const bool near = std::abs(x - 5) <= 1 && std::abs(y - 9) <= 1;
@@ -208,9 +208,9 @@ TEST(adaptive_sample_map, leaves_a_render_without_noise_alone) {
   for (int i = 0; i < 16; ++i) EXPECT_EQ(effort.extra(i % 4, i / 4), 0u);
 }
 
-// Of a pixel that is 100 with probability 0.01 and else 0, passes of one sample each and what they decide: whatever was
-// decided, the mean over renders is 1. Were a pass to weigh by its number of samples, renders whose first passes see
-// light would take more samples after them, and their mean would be too low: by 10 % here.
+// The mean over renders must be 1, whatever sample counts the map chooses. The pixel is 100 with probability 0.01 and 0
+// otherwise; a pass takes one sample. With passes weighted by their number of samples, renders whose first passes see
+// light would take more samples afterwards. Their mean would be 10 % too low here.
 TEST(adaptive_sample_map, does_not_bias_what_it_steers) {
   std::mt19937_64 random(11);
   std::bernoulli_distribution bright(0.01);

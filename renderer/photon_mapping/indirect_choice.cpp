@@ -23,24 +23,25 @@ namespace {
 constexpr Stream indirect_pilot_stream{15}, brightest_light_stream{16};
 
 constexpr int samples_a_pixel = 4, pilot_pixels = pilot_camera_paths / samples_a_pixel;
-/// Their mean is what a pixel's variance is relative to.
+/// A pixel's variance is relative to the mean of its block.
 constexpr int pixels_a_block = 8;
 
-/// Another way is taken if it needs less than this part of the maps' time, or has less than this of their error.
+/// Another method wins if it needs less than this factor of the maps' time, or has less than this factor of their
+/// error.
 constexpr double plainly = 0.9;
-/// Times the mean of the image: a pilot meets lights that are no brighter often enough.
+/// Limit of a light's brightness, in means of the image: a pilot meets less bright lights often enough.
 constexpr double bright = 100;
 
 // Measured on library scenes at 256x256 with 16 lanes, one thread.
 constexpr double ray_by_brute_force = 35, ray_elsewhere = 90, gather_time = 70;  // ns
 constexpr double photon_ray_in_rays = 1.4;
-constexpr std::uint64_t priced_photons = 1024;  // of a map: what a photon takes, no more
+constexpr std::uint64_t priced_photons = 1024;  // of a map, traced only to measure the cost of a photon
 constexpr double guided_start = 600;            // ns: the densities of all places that a photon may be sent to
 
 constexpr double photons_in_disc_of_million = 700;
 
 struct Sample {
-  RgbD sum{0.0}, squares{0.0};  ///< of a pixel's samples
+  RgbD sum{0.0}, squares{0.0};  ///< sums over a pixel's samples
 };
 
 struct PilotImage {
@@ -58,7 +59,7 @@ RgbD block_mean(const PilotImage& image, std::size_t pixel) {
 
 double mean_of(const RgbD& v) { return (v.x + v.y + v.z) / 3; }
 
-/// Of a camera sample, relative to the whole image.
+/// Variance of a camera sample, relative to the whole image.
 double variance_of(const PilotImage& image, const PilotImage& whole) {
   double sum = 0;
   for (std::size_t i = 0; i < image.pixels.size(); ++i) {
@@ -84,7 +85,7 @@ double mean_of(const PilotImage& image) {
   return sum / (static_cast<double>(image.pixels.size()) * samples_a_pixel);
 }
 
-/// Radiance of the brightest light that light paths start from now and then; infinite where no ray can meet it.
+/// Radiance of the brightest light among sampled starts of light paths; infinite where no ray can hit the light.
 double brightest_light(const Scene& scene, std::uint64_t seed) {
   constexpr std::uint64_t starts = 256;
   double most = 0;
@@ -100,7 +101,7 @@ double brightest_light(const Scene& scene, std::uint64_t seed) {
   return most;
 }
 
-/// Of those that the maps want; aimed and others are as many.
+/// Rays a photon, over the maps that are wanted; aimed and other photons count equally.
 double rays_a_photon(const PhotonSource& source, const PhotonMaps& maps, RenderStats& stats) {
   const int max_edges = source.settings.limits.max_depth >= 0 ? source.settings.limits.max_depth - 1 : -1;
   RayTotals rays;
@@ -124,7 +125,7 @@ class PilotTracer {
         rows_(std::clamp((pilot_pixels + window.width() - 1) / window.width(), 1, window.height())),
         scratch_(source.job.kernels().path) {}
 
-  /// The same samples whatever is done at diffuse surfaces.
+  /// Traces the pilot; the camera samples are the same for every policy at diffuse surfaces.
   PilotImage trace(PathPolicy policy) {
     const auto width = static_cast<std::size_t>(window_.width()), rows = static_cast<std::size_t>(rows_);
     PilotImage image;
@@ -173,7 +174,7 @@ double relmse_of_maps(double samples, const IndirectPilot& pilot) {
   return pilot.maps.variance / samples + 1.5 * pilot.indirect_square / in_disc;
 }
 
-/// Camera samples of the maps until relmse is no more than that.
+/// Number of camera samples with which the maps reach that relmse.
 double samples_to(double relmse, const IndirectPilot& pilot) {
   double low = 1e-6, high = 1e15;
   for (int i = 0; i < 100; ++i) {
@@ -191,7 +192,7 @@ IndirectChoice choose_indirect(const IndirectPilot& pilot, const RenderBudget& b
     relmse = *budget.target_error * *budget.target_error;
     time = samples_to(relmse, pilot) * pilot.maps.nanoseconds;
   } else {
-    // By the tables, as if one thread worked: the image must not depend on the machine.
+    // Times are those of the tables, for one thread: the image must not depend on the machine.
     time = budget.seconds ? *budget.seconds * 1e9 / pilot.pixels
                           : static_cast<double>(budget.spp.value_or(samples)) * pilot.maps.nanoseconds;
     relmse = relmse_of_maps(time / pilot.maps.nanoseconds, pilot);

@@ -1,14 +1,14 @@
-// Which way of finding light between diffuse surfaces the photon mapper takes where that is left to it: its maps, path
-// tracing beside the caustic map, or path tracing alone. A pilot of some thousand camera paths says how far apart the
-// samples of a pixel are each way, V relative to the image as relmse counts, and how many rays one takes; tables of
-// what rays and gathers take on the machine that they were measured on turn that into a time C. S samples then have
-//   path tracing   relmse V/S
-//   the maps       relmse V/S + 3/2 i^2 / M,   M = 700 (N / 1e6)^(2/3)
-// after S C. i^2 is the part of the image's square that is indirect, M the photons in a disc after N photons in all: a
-// gather's variance is 1/M, and its squared bias half of that at the best radius (gather_bias.h). So maps win early
-// and path tracing late, and what is asked for decides.
-// Path tracing alone finds caustics by rays that happen to meet lights. From a light much brighter than the image they
-// are too rare for a pilot to tell how far they scatter it: there the caustic map stays.
+// Automatic choice of the photon mapper's method for light between diffuse surfaces. The methods are its maps, path
+// tracing beside the caustic map, and path tracing alone. A pilot of some thousand camera paths measures for each
+// method the samples' variance V, relative to the image as in relmse, and the rays of a sample. Measured tables of the
+// time of rays and gathers turn these into a time C. After S samples, that is after S C, the expected errors are:
+//   path tracing   `relmse V/S`.
+//   the maps       `relmse V/S + 3/2 i^2 / M`, where `M = 700 (N / 1e6)^(2/3)`.
+// The term i^2 is the indirect part of the image's square; M is the number of photons in a disc after N photons in all.
+// A gather's variance is 1/M, and its squared bias half of that at the best radius (gather_bias.h). So maps win early,
+// path tracing late, and the requested error, samples or time decide.
+// Path tracing alone finds caustics by rays that happen to meet lights. Where a light is much brighter than the image,
+// such hits are too rare for a pilot to measure their variance. The caustic map then stays.
 #pragma once
 
 #include <optional>
@@ -18,39 +18,39 @@
 
 namespace photonproof::inline renderer_photon_mapping {
 
-/// Of the pilot, or a few more.
+/// Camera paths of the pilot; it may trace a few more.
 inline constexpr int pilot_camera_paths = 8192;
 
-/// One way, as the pilot found it.
+/// One method, as the pilot measured it.
 struct WayOfLight {
   double variance = 0;     ///< of a camera sample: mean over channel values of variance / (mean^2 + 0.01)
-  double nanoseconds = 0;  ///< of a camera sample, photons included
+  double nanoseconds = 0;  ///< Time of a camera sample, photons included.
 };
 
 struct IndirectPilot {
   WayOfLight maps, beside_caustics;
-  std::optional<WayOfLight> paths_alone;  ///< where they can tell their error
-  bool caustics = false;                  ///< whether there is a caustic map
-  double indirect_square = 0;             ///< i^2
-  double photons_a_sample = 0;            ///< N / S
+  std::optional<WayOfLight> paths_alone;  ///< Absent where the pilot cannot measure their error.
+  bool caustics = false;                  ///< Whether there is a caustic map.
+  double indirect_square = 0;             ///< The term i^2 of above.
+  double photons_a_sample = 0;            ///< The ratio N / S.
   double pixels = 1;
 };
 
 struct IndirectChoice {
   IndirectLight indirect = IndirectLight::map;
-  bool caustic_map = true;  ///< if the scene has caustics
-  std::string why;          ///< a sentence
+  bool caustic_map = true;  ///< whether to use the caustic map, if the scene has caustics
+  std::string why;          ///< the reason, as a sentence
 };
 
-/// The way that is first at the error asked for, or nearest to the image after the samples or the time asked for.
-/// Another way than the maps must be plainly first.
+/// The method that first reaches the requested error, or the one with the least error after the requested samples or
+/// time. A method other than the maps must win plainly.
 IndirectChoice choose_indirect(const IndirectPilot& pilot, const RenderBudget& budget, std::int64_t samples);
 
-/// A clause about maps of a scene whose emission_misses_planes (light_sampling/scene_lights.h).
+/// A clause about maps of a scene where emission_misses_planes is true (light_sampling/scene_lights.h).
 inline constexpr const char* light_that_maps_miss =
     "photon maps miss what a plane without end throws back, from afar, of light from infinity";
 
-/// Traces the pilot's paths and chooses; path tracing where maps would miss light.
+/// Traces the pilot's paths and chooses a method; path tracing where maps would miss light.
 IndirectChoice choose_indirect(const PhotonSource& source, const PhotonMaps& maps, const RenderPlan& plan,
                                const Tile& window, RenderStats& stats);
 

@@ -1,5 +1,5 @@
-// The choice among maps and path tracing: that it is the sooner one by the formulas of indirect_choice.h, worked out
-// here once more by other means, and that scenes made for one way or the other get it.
+// The choice between maps and path tracing. It must be the faster one by the formulas of indirect_choice.h, solved here
+// by other means. Scenes made for one of the methods must get it.
 
 #include "renderer/photon_mapping/indirect_choice.h"
 
@@ -14,8 +14,8 @@
 namespace photonproof::inline renderer_photon_mapping {
 namespace {
 
-/// A sample of a path scatters four times as far as one of the maps and takes twice as long: eight times the time to
-/// the same noise. A photon every other sample.
+/// Pilot values: a path sample has four times the variance of a maps sample and takes twice as long. That is eight
+/// times the time to equal noise. One photon is emitted every other sample.
 IndirectPilot pilot_of_a_room() {
   IndirectPilot pilot;
   pilot.maps = {.variance = 0.1, .nanoseconds = 100};
@@ -33,10 +33,10 @@ RenderBudget target(double error) {
 }
 
 TEST(indirect_choice, falls_on_the_maps_early_and_on_paths_late) {
-  // With few photons noise is 0.1 / S for the maps: paths take eight times as long. With many, what is left of the
-  // maps' error is 1.5 x 0.2 / M: it falls to e^2 after M = 0.3 / e^2 photons in a disc, so after 1e6 (M / 700)^(3/2)
-  // in all, 30.5 (M / 700)^(3/2) samples: for e = 1e-3 after 2.7e5 and some for the noise, of 100 ns; paths need 0.4 /
-  // 1e-6 = 4e5 of 200 ns. For e = 1e-4 the maps need 2.7e8 and paths 4e7.
+  // At e = 1e-2 few photons suffice and the maps' noise is 0.1 / S: paths take eight times as long. With many photons,
+  // the rest of the maps' error is 1.5 x 0.2 / M. It falls to e^2 after M = 0.3 / e^2 photons in a disc. That takes 1e6
+  // (M / 700)^(3/2) photons in all, or 30.5 (M / 700)^(3/2) samples. For e = 1e-3 the maps need 2.7e5 samples of 100
+  // ns, and some for the noise; paths need 0.4 / 1e-6 = 4e5 of 200 ns. For e = 1e-4 the maps need 2.7e8 and paths 4e7.
   EXPECT_EQ(choose_indirect(pilot_of_a_room(), target(1e-2), 4).indirect, IndirectLight::map);
   EXPECT_EQ(choose_indirect(pilot_of_a_room(), target(1e-3), 4).indirect, IndirectLight::map);
   EXPECT_EQ(choose_indirect(pilot_of_a_room(), target(1e-4), 4).indirect, IndirectLight::path);
@@ -45,9 +45,9 @@ TEST(indirect_choice, falls_on_the_maps_early_and_on_paths_late) {
 
 TEST(indirect_choice, turns_where_the_times_are_equal) {
   // Both times, by the formulas: t_maps = 100 S with 0.1 / S + 0.3 / (700 (S / 30.517578)^(2/3)) = e^2, t_paths = 200 x
-  // 0.4 / e^2. For e^2 = 1e-9 the first term is negligible, S = 30.5 (0.3 / (700 e^2))^(3/2) = 8.56e9 and t_maps
-  // = 8.6e11 against 8e10. At 1e-7: 8.56e6 + some, 8.8e8 against 8e8. At 1.5e-7: 4.66e6 + .5e6, about 5.1e8
-  // against 5.3e8.
+  // 0.4 / e^2. For e^2 = 1e-9 the first term is negligible, S = 30.5 (0.3 / (700 e^2))^(3/2) = 8.56e9 and t_maps =
+  // 8.6e11 against 8e10. At 1e-7: 8.56e6 + some, 8.8e8 against 8e8. At 1.5e-7: 4.66e6 + .5e6, about 5.1e8 against
+  // 5.3e8.
   EXPECT_EQ(choose_indirect(pilot_of_a_room(), target(std::sqrt(1e-9)), 4).indirect, IndirectLight::path);
   EXPECT_EQ(choose_indirect(pilot_of_a_room(), target(std::sqrt(0.7e-7)), 4).indirect, IndirectLight::path);
   EXPECT_EQ(choose_indirect(pilot_of_a_room(), target(std::sqrt(1.5e-7)), 4).indirect, IndirectLight::map);
@@ -88,7 +88,7 @@ TEST(indirect_choice, of_a_closed_room_is_the_maps_and_of_balls_on_a_floor_path_
   const auto room = test::render(test::room(32, true), "photonmapper", free_job());
   EXPECT_THAT(room.stats.choices, testing::ElementsAre(testing::StartsWith("indirect light by photon maps")));
   EXPECT_GT(room.stats.counts.at("photons_emitted_global"), 0);
-  // A furnace of no noise at all.
+  // A furnace has no noise at all.
   const auto furnace = test::render(test::furnace(0.5, 1, 16), "photonmapper", free_job());
   EXPECT_THAT(furnace.stats.choices, testing::ElementsAre(testing::StartsWith("indirect light by path tracing alone")));
   EXPECT_EQ(furnace.stats.counts.count("photons_emitted_global"), 0);
@@ -104,9 +104,8 @@ TEST(indirect_choice, is_the_maps_where_photons_radii_or_parts_of_the_light_are_
   EXPECT_TRUE(test::render(furnace, "photonmapper", part).stats.choices.empty());
 }
 
-// A wall of 1 x 1 on a plane without end of albedo 0.8 under a sky of radiance 1, seen from ahead of its middle: the
-// plane lights it from below as far as it goes. Of what comes from beyond the ball around the wall, of radius 1/sqrt 2,
-// maps have nothing.
+// A wall of 1 x 1 on an infinite plane of albedo 0.8 under a sky of radiance 1, seen from the front. The whole plane
+// lights the wall from below. Maps miss light from outside the ball around the wall, of radius 1/sqrt 2.
 TEST(indirect_choice, is_path_tracing_where_a_plane_without_end_lies_under_a_sky) {
   SceneDescription d;
   const BsdfIndex grey = test::add_bsdf(d, DiffuseDescription{RgbD(0.8)});

@@ -9,7 +9,7 @@ namespace photonproof::inline renderer_photon_mapping {
 namespace {
 
 constexpr int unit_level = 24;
-/// Of a record's radius, how far a point may lie below its tangent plane.
+/// Limit of a point's depth below a record's tangent plane, in radii of the record.
 constexpr float behind_part = 0.05f;
 
 int level_of(float reach) {

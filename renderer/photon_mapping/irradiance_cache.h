@@ -1,7 +1,8 @@
-// Irradiance between few points where it was computed (Ward, Rubinstein and Clear 1988). A record stands for a point
-// with the split-sphere error |p - p_i| / R_i + sqrt(1 - n . n_i) where that is less than kappa, with the weight
-// 1 - error / kappa, which leaves no edge where a record ends. Neighbours bound each other's R by what geometry allows,
-// R_i <= R_j + |p_i - p_j| (Krivanek et al. 2006): one that missed a near wall learns of it from one that did not.
+// Irradiance interpolated between few points where it was computed (Ward, Rubinstein and Clear 1988). The split-sphere
+// error of record i at a point is |p - p_i| / R_i + sqrt(1 - n . n_i). A record is used where the error is less than
+// kappa, with the weight 1 - error / kappa, so that no edge shows where it ends. Neighbours bound each other's R by
+// geometry, R_i <= R_j + |p_i - p_j| (Krivanek et al. 2006). A record whose rays missed a near wall thus gets a bound
+// from one whose rays hit it.
 #pragma once
 
 #include <cstddef>
@@ -19,28 +20,29 @@ class IrradianceCache {
   /// kappa: the error at which records end.
   explicit IrradianceCache(float kappa) : kappa_(kappa) {}
 
-  /// Its R is kept above `least_radius`. Not while others look up.
+  /// Adds the record with R of at least `least_radius`. Not safe while other threads read.
   void insert(const IrradianceRecord& record, float least_radius);
-  /// Whether some record stands for the point.
+  /// Whether some record is used at the point.
   bool covers(const Vec3f& p, const Vec3f& n) const;
-  /// Weighted mean of what records say; nothing where none stands for the point.
+  /// Weighted mean of the records used at the point; empty without any.
   std::optional<Rgb> find(const Vec3f& p, const Vec3f& n) const;
-  /// A guess of how wrong the cache is at the point, as a part of its irradiance, 1 at most: how far records disagree,
-  /// and how much they say changes within their reach, which is never less than some pixels.
+  /// Estimated relative error of the cache at the point, at most 1. It sums the disagreement of records and their
+  /// change within their reach, which is never less than some pixels.
   float doubt(const Vec3f& p, const Vec3f& n) const;
-  /// As `find`, or where no record stands for the point what the one of least error says; 0 without records.
+  /// As `find`, but where no record is used at the point, the value of the record with the least error; 0 without
+  /// records.
   Rgb interpolate(const Vec3f& p, const Vec3f& n) const;
-  /// Of those whose reach includes the point and that face as it does, the nearest one; null: none.
+  /// Nearest record whose reach includes the point and whose normal is within 60 degrees of n; null if none.
   const IrradianceRecord* nearest(const Vec3f& p, const Vec3f& n) const;
-  /// How far from it a record is used where surfaces are flat.
+  /// Distance up to which a record is used on a flat surface.
   float reach(const IrradianceRecord& record) const { return kappa_ * record.radius; }
   const std::vector<IrradianceRecord>& records() const { return records_; }
 
  private:
-  /// Error of the record at the point; infinite where the point sees what lies behind it.
+  /// Error of the record at the point; infinite where the point lies behind the record or faces away from it.
   float error(const IrradianceRecord& record, const Vec3f& p, const Vec3f& n) const;
   std::uint64_t cell_key(int level, const Vec3f& p) const;
-  /// Calls visit(record's number) for all whose reach, at most, includes p.
+  /// Calls visit(record's number) for all records whose reach may include p.
   template <class Visit>
   void for_each_near(const Vec3f& p, Visit&& visit) const;
 
@@ -49,7 +51,8 @@ class IrradianceCache {
   std::vector<IrradianceRecord> records_;
   std::vector<float> least_radius_;
   std::uint64_t levels_used_ = 0;
-  /// Cells of side 2^(level - 24): a record is in those that its reach touches, of the level where these are at most 8.
+  /// Cells have the side 2^(level - 24). A record is in all cells that its reach touches, at most 8, of the level that
+  /// allows this.
   std::unordered_map<std::uint64_t, std::vector<std::uint32_t>> cells_;
 };
 

@@ -1,4 +1,4 @@
-// Records of irradiance against closed forms, and the photon mapper that interpolates between them.
+// Irradiance records against closed forms, and the photon mapper that interpolates between them.
 
 #include "renderer/photon_mapping/irradiance_cache.h"
 
@@ -26,8 +26,8 @@ using test::render;
 
 constexpr float pi = std::numbers::pi_v<float>;
 
-/// Radiance 1, 2 and 3 of the channels from the rectangle [.2, 1.4] x [-.5, .7] at height 1 above points about the
-/// origin; black beyond it.
+/// Light of radiance 1, 2 and 3 in the channels from the rectangle [.2, 1.4] x [-.5, .7] at height 1 above points about
+/// the origin; black elsewhere.
 const std::array<Vec3d, 4> light{Vec3d{0.2, -0.5, 1}, Vec3d{1.4, -0.5, 1}, Vec3d{1.4, 0.7, 1}, Vec3d{0.2, 0.7, 1}};
 
 /// Lambert's formula: the irradiance of a polygon above the horizon.
@@ -87,7 +87,7 @@ TEST(irradiance_record, gradients_are_those_of_a_rectangle) {
           (irradiance_of_light(along * step, normal) - irradiance_of_light(along * -step, normal)) / (2 * step);
       expect_change(moved, dot(axis, record.moved[0]), "moved");
       expect_change(moved, dot(axis, record.moved[2]) / 3, "moved, blue");
-      // Turned towards the axis: about n x axis.
+      // The normal turns towards the axis, that is about n x axis.
       const auto tilted = [&](double by) { return irradiance_of_light({0, 0, 0}, normalize(normal + along * by)); };
       const double turned = (tilted(step) - tilted(-step)) / (2 * step);
       expect_change(turned, dot(cross(n, axis), record.turned[0]), "turned");
@@ -158,7 +158,7 @@ TEST(irradiance_cache, same_seed_gives_the_same_bits_at_1_2_and_7_threads) {
   EXPECT_GT(one.stats.counts.at("cache_records"), 100);
 }
 
-/// Of the render of a room in so many pixels a side.
+/// The irradiance cache of a room rendered in so many pixels a side.
 IrradianceCache records_of(const SceneDescription& room, const RenderJob& job, int size) {
   const Scene scene = test::compiled(room, size, size);
   const RenderPlan plan = plan_render(analyse(SceneParts(room, size, size)), room.integrator, job);
@@ -183,17 +183,17 @@ TEST(irradiance_cache, has_more_records_at_edges_than_in_the_middle_of_walls) {
     at_edges += from_edge < 0.15;
     in_middles += from_edge > 0.4;
   }
-  // Of a wall of 2 x 2, 1.11 are within .15 of its edges, and 1.44 further than .4 from them.
+  // A wall of 2 x 2 has an area of 1.11 within .15 of its edges, and 1.44 further than .4 from them.
   std::printf("%zu records: %d a unit of area at edges, %d in middles\n", cache.records().size(),
               static_cast<int>(at_edges / 1.11), static_cast<int>(in_middles / 1.44));
   EXPECT_GT(at_edges / 1.11, 2 * in_middles / 1.44);
 }
 
-// The camera of the room looks from (0, 0, 3.9) along -z, 64 pixels from the middle of its image to an edge at 18
-// degrees. Nothing in the room hides anything but the light, below the ceiling.
+// The room's camera looks from (0, 0, 3.9) along -z; 64 pixels from the middle of its image to an edge span 18 degrees.
+// In the room only the light, below the ceiling, hides other surfaces.
 TEST(irradiance_cache, its_picture_has_a_coloured_dot_at_every_record_and_is_grey_elsewhere) {
   SceneDescription room = test::room(128, false);
-  room.integrator.method = PhotonMapperDescription{};  // with direct gathers: the view asks for the cache itself
+  room.integrator.method = PhotonMapperDescription{};  // with direct gathers: the view selects the cache by itself
   RenderJob job = job_with(8, 100'000);
   job.view = Aov::cache_records;
   const IrradianceCache cache = records_of(room, job, 128);
@@ -213,7 +213,7 @@ TEST(irradiance_cache, its_picture_has_a_coloured_dot_at_every_record_and_is_gre
       for (int u = std::max(0, x - 2); u <= std::min(127, x + 2); ++u)
         near_record[static_cast<std::size_t>(128 * v + u)] = true;
     ++dots;
-    // Dots are painted on the walls, of which the camera sees some from the side.
+    // Dots lie on the walls, some of which the camera sees at an angle.
     bool dot = false;
     for (int v = std::max(0, y - 1); v <= std::min(127, y + 1); ++v)
       for (int u = std::max(0, x - 1); u <= std::min(127, x + 1); ++u) dot = dot || coloured(u, v);

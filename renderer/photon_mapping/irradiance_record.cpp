@@ -12,8 +12,8 @@ namespace {
 
 constexpr double pi_of_records = std::numbers::pi;
 
-/// Of a grid's cells, what the sums weight them by. Cell (j, k) has polar angles from asin sqrt(j/M) to
-/// asin sqrt((j+1)/M) and azimuths from 2 pi k/N to 2 pi (k+1)/N.
+/// Weights of a grid's cells in the sums. Cell (j, k) has polar angles from asin sqrt(j/M) to asin sqrt((j+1)/M) and
+/// azimuths from 2 pi k/N to 2 pi (k+1)/N.
 struct CellShape {
   explicit CellShape(const HemisphereGrid& grid) : grid_(grid) {}
   double sine(int j) const { return std::sqrt(static_cast<double>(j) / grid_.polar); }
@@ -42,8 +42,8 @@ void add_to(std::array<Vec3d, 3>& sums, const Vec3d& along, const Vec3d& amounts
   sums[2] += along * amounts.z;
 }
 
-/// With L constant in a cell. Turned: the integral of L (z x w). Moved: as the point goes towards a border of two
-/// cells, which is as far away as the nearer of them, the one behind it opens.
+/// Gradients for L constant in each cell. `turned` is the integral of L (z x w). `moved`: as the point moves towards a
+/// border of two cells, the cell behind it opens. The border is as far away as the nearer of the two cells.
 LocalGradients gradients(const HemisphereGrid& grid, const HemisphereRays& rays, float least_distance) {
   const CellShape cell(grid);
   const double step = cell.azimuth_step();

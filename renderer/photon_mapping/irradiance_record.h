@@ -1,5 +1,5 @@
-// What is known of the irradiance around a point: its value and how it changes as the surface turns and moves (Ward and
-// Heckbert 1992), from rays that stratify the hemisphere by cosine.
+// Irradiance around a point: its value and its change as the surface turns and moves (Ward and Heckbert 1992). Rays
+// that stratify the hemisphere by cosine measure both.
 #pragma once
 
 #include <array>
@@ -15,14 +15,14 @@ namespace photonproof::inline renderer_photon_mapping {
 struct HemisphereGrid {
   int polar = 1, azimuthal = 1;
   std::size_t cells() const { return static_cast<std::size_t>(polar) * static_cast<std::size_t>(azimuthal); }
-  /// Unit, z up, through the cell at (u, v) in [0,1)^2 of it.
+  /// Unit direction, z up, through the point (u, v) in [0,1)^2 of the cell.
   Vec3f direction(std::size_t cell, float u, float v) const;
 };
 
-/// About so many cells, azimuthal ones pi times as many as polar ones: cells are about as wide as high.
+/// About so many cells. There are pi times as many azimuthal as polar strata, so that cells are about as wide as high.
 HemisphereGrid hemisphere_grid(std::size_t cells);
 
-/// A ray of each cell: the radiance that it found, and how far away; infinite where it met nothing.
+/// A ray of each cell: its radiance and the distance of its hit, infinite without a hit.
 struct HemisphereRays {
   std::vector<Rgb> radiance;
   std::vector<float> distance;
@@ -35,15 +35,15 @@ struct IrradianceRecord {
   std::array<Vec3f, 3> turned{};  ///< per channel: (n x n') . turned is the change from n to n'
   std::array<Vec3f, 3> moved{};   ///< per channel: (p' - p) . moved
 
-  /// What it says of a point near it.
+  /// Extrapolated irradiance at a point near the record.
   Rgb at(const Vec3f& to, const Vec3f& normal) const;
 };
 
-/// `least_distance` bounds how steeply irradiance can change.
+/// Makes a record; `least_distance` bounds how steeply irradiance can change.
 IrradianceRecord make_record(const Vec3f& p, const Vec3f& n, const HemisphereGrid& grid, const HemisphereRays& rays,
                              float least_distance);
 
-/// The frame that `direction`s of the grid are in for records of this normal: x and y of it.
+/// The x and y axes of the frame that the grid's directions are in, for records of this normal.
 std::array<Vec3f, 2> record_axes(const Vec3f& n);
 
 }  // namespace photonproof::inline renderer_photon_mapping

@@ -26,14 +26,14 @@ constexpr std::size_t photons_a_unit = 4096;
 /// Mean of the channels.
 double brightness_of(const Rgb& flux) { return (double{flux.x} + double{flux.y} + double{flux.z}) / 3; }
 
-/// What the mean of the photons is multiplied with to have the brightness 1.
+/// Factor that gives the photons' mean flux the brightness 1.
 float dot_scale(const Photons& photons) {
   double sum = 0;
   for (std::size_t i = 0; i < photons.size(); ++i) sum += brightness_of(photons[i].flux);
   return sum > 0 ? static_cast<float>(static_cast<double>(photons.size()) / sum) : 0;
 }
 
-/// Of a unit of work.
+/// Dots and rays of a unit of work.
 struct SeenPhotons {
   Splats dots;
   RayCounts rays;
@@ -41,7 +41,7 @@ struct SeenPhotons {
 
 class PhotonEye {
  public:
-  /// `hides_lights`: the camera does not see photons on lights, but those behind.
+  /// With `hides_lights` the camera does not see photons on lights, but those behind.
   PhotonEye(const Scene& scene, bool hides_lights)
       : scene_interface_(scene), camera_(scene_interface_, 1), hides_lights_(hides_lights) {}
 

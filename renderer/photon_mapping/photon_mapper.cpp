@@ -1,11 +1,11 @@
-// Photon mapping (Jensen 1996, 2001) with fixed-radius density estimation at the first diffuse hit of a camera path:
-//   L = Le + direct (next-event estimation) + rho/pi (sum of caustic fluxes / A_c + sum of global fluxes / A_g)
-// where A is the area of that part of the surface whose photons the gather counts (photon_sheet.h, gather_area.h). On
-// the way there, at rough parts of BSDFs, caustic photons are looked up by their directions (rough_gather.h):
-//   L += sum of f(direction) x flux / A_c
-// The render is cut into passes, each with photons and camera samples of its own: the mean is the same, gathers are
-// cheaper, and the passes' spread gives an honest variance that includes the photons' noise (not the bias of the
-// radius). A view (view.h) shows a part of that light, or how it was found.
+// Photon mapping (Jensen 1996, 2001) with fixed-radius density estimation at the first diffuse hit of a camera path.
+//   `L = Le + direct (next-event estimation) + rho/pi (sum of caustic fluxes / A_c + sum of global fluxes / A_g)`.
+// A is the area of the part of the surface whose photons the gather counts (surface_side.h, gather_area.h). Before that
+// hit, rough parts of BSDFs gather caustic photons by their directions (rough_gather.h).
+//   `L += sum of f(direction) x flux / A_c`.
+// The render is cut into passes, each with photons and camera samples of its own. The mean is the same and gathers are
+// cheaper. The passes' spread gives an honest variance that includes the photons' noise, but not the bias of the
+// radius. A view (view.h) shows a part of that light, or statistics of the render.
 
 #include "renderer/photon_mapping/photon_mapper.h"
 
@@ -37,10 +37,10 @@ namespace {
 
 constexpr const char* not_shown = "the view does not show it";
 
-/// Decides on a map; `needed` by the scene, where paths are long enough for one.
+/// Decides on a map. `needed` is whether the scene needs it, if paths are long enough.
 void plan_map(Planner& planner, Skip skip, const char* name, const std::string& photons, bool shown, int max_depth,
               bool needed, const char* why_not_needed, const char* why_needed) {
-  // The shortest path through a map has two edges of the light's and one of the camera's.
+  // The shortest path through a map has two edges of the light path and one of the camera path.
   const bool deep_enough = max_depth < 0 || max_depth >= 3;
   const char* why = !shown                        ? not_shown
                     : !deep_enough                ? "paths of max_depth edges are too short for it"
@@ -50,14 +50,14 @@ void plan_map(Planner& planner, Skip skip, const char* name, const std::string& 
   if (!planner.decide(skip, why != nullptr, why != nullptr ? why : "", why_needed)) planner.run(name, photons);
 }
 
-/// For the view of its records.
+/// Throws InputError if the view of cache records has no cache.
 void check_cache_is_there(const Planner& planner) {
   for (const RenderPlan::Decision& d : planner.plan().decisions)
     if (d.skip == Skip::global_map && d.skipped)
       throw InputError("--view", "there are no cache-records to show, since there is no global photon map: " + d.why);
 }
 
-/// How many a map gets, and within which radius they are looked up.
+/// Text on the number of a map's photons and their gather radius.
 std::string photons_words(const PhotonSettings& settings, const RenderJob& job, std::int64_t by_scene, double radius) {
   const auto of = [](std::int64_t n) { return counted(static_cast<std::size_t>(n), "photon", "photons"); };
   const std::int64_t total = job.budget.photons.value_or(by_scene);
@@ -76,7 +76,7 @@ std::string photons_words(const PhotonSettings& settings, const RenderJob& job, 
   return words + ", looked up within the radius whose bias and noise are least together, as earlier passes show them";
 }
 
-/// How far they go.
+/// Text on the length of camera paths.
 std::string camera_paths_words(const PhotonSettings& settings, bool any_global_map) {
   if (settings.indirect == IndirectLight::gather && any_global_map)
     return "one bounce further than their first diffuse surface (final gather), or two where that ends nearer than "
@@ -98,7 +98,7 @@ std::string camera_paths_words(const PhotonSettings& settings, bool any_global_m
   return words;
 }
 
-/// Whether pixels get numbers of samples of their own.
+/// Whether the number of samples may differ between pixels.
 bool steers_samples(const PhotonSettings& settings, const AovRow& view, const RenderJob& job) {
   return !settings.textbook && view.made_from_all() && job.grid == 0;
 }
@@ -138,8 +138,8 @@ PassPlan plan_passes(const PhotonSettings& settings, const PhotonMaps& maps) {
           .budget = maps.totals() + ", indirect light by " + word_of(settings.indirect)};  // all passes follow from it
 }
 
-/// Those of the maps whose light is shown, where camera paths go on also that of caustics that diffuse surfaces throw
-/// back: the plan may want others, too (--no-skip).
+/// The maps whose light is shown. Where camera paths continue, these include caustics that diffuse surfaces reflect.
+/// The plan may also want other maps (--no-skip).
 std::vector<MapState*> shown_by(const AovRow& view, IndirectLight indirect, std::vector<MapState*> maps) {
   const bool later_caustics = indirect == IndirectLight::gather || indirect == IndirectLight::path;
   std::erase_if(maps, [&](const MapState* map) {
@@ -157,7 +157,7 @@ void keep(RenderLoop& loop, PhotonMaps& maps) {
   }
 }
 
-/// Where the settings leave it open; says what maps miss, where they are the way.
+/// Chooses the method where the settings leave it open. Adds a warning where the chosen maps miss light.
 void choose_way(const PhotonSource& source, PhotonMaps& maps, const RenderPlan& plan, const Tile& window,
                 PhotonSettings& settings, RenderStats& stats) {
   const bool automatic = settings.indirect == IndirectLight::automatic;
@@ -166,7 +166,8 @@ void choose_way(const PhotonSource& source, PhotonMaps& maps, const RenderPlan& 
   if (automatic) {
     const IndirectChoice choice = choose_indirect(source, maps, plan, window, stats);
     settings.indirect = choice.indirect;
-    // As many samples as all before, so that passes end where Sobol points are even: 7 % less time to an error on lens.
+    // A pass takes as many samples as all before, so that passes end where Sobol points are even. Time to equal error
+    // on `lens`: 7 % less.
     if (settings.indirect == IndirectLight::path) settings.parts_of_samples = 1;
     maps.caustic.wanted = maps.caustic.wanted && choice.caustic_map;
     stats.choices.push_back(choice.why);
@@ -175,18 +176,18 @@ void choose_way(const PhotonSource& source, PhotonMaps& maps, const RenderPlan& 
     stats.losses.emplace_back(light_that_maps_miss);
 }
 
-/// Whether an irradiance cache, which has photons of its own, finds what a global map would. Where that or path tracing
-/// does, no such map is wanted.
+/// Whether an irradiance cache with its own photons replaces the global map. Clears `wanted` of that map if a cache or
+/// path tracing replaces it.
 bool takes_cache(const PhotonSettings& settings, PhotonMaps& maps) {
   const bool caches = settings.indirect == IndirectLight::cache && maps.global.wanted;
   if (caches || settings.indirect == IndirectLight::path) maps.global.wanted = false;
   return caches;
 }
 
-/// What passes learn of the image.
+/// Statistics of the image, learned from pass to pass.
 struct Lessons {
   const Film& image;
-  const std::vector<MapState*> maps;  ///< looked up
+  const std::vector<MapState*> maps;  ///< maps that the gathers use
   GatherBias bias;
   AdaptiveSampleMap effort;
   PassHalves halves{};
@@ -200,7 +201,7 @@ struct Lessons {
     if (maps.empty()) return bias_of_cache();
     return bias.evidence(image, GatherBias::all_maps, halves).squared_bias() + bias_of_cache();
   }
-  /// What no more samples cure.
+  /// Squared bias that more samples do not reduce.
   double lasting_bias(const PhotonSettings& settings) const { return bias_of_cache() + bias_of_fixed_radii(settings); }
   double bias_of_fixed_radii(const PhotonSettings& settings) const {
     double sum = 0;
@@ -223,7 +224,7 @@ struct Lessons {
     loop.keep(effort.decided());
   }
 
-  /// Of a pass of `samples` decides the radii of the next one.
+  /// Decides the radii of the next pass after a pass of `samples`.
   void choose_radii(const PhotonSettings& settings, double samples) {
     halves.add_pass(samples);
     if (maps.empty()) return;
@@ -296,7 +297,7 @@ void render_photon_mapper(const Scene& scene, const RenderPlan& plan, const Rend
     areas.emplace(scene, threads);
   }
 
-  std::optional<Film> unseen;  // the image whose making is shown
+  std::optional<Film> unseen;  // the image behind a view of numbers
   if (view.is_number()) unseen.emplace(film.window());
   Film& image = unseen ? *unseen : film;
   Lessons lessons(image, wanted);

@@ -24,7 +24,7 @@ TEST(photon_mapper, furnace_mean_and_blocks_are_two) {
 }
 
 TEST(photon_mapper, depth_counts_camera_and_light_edges_together) {
-  // As for the path tracer: emission, one and two bounces, 1 + 0.5 + 0.25 = 1.75.
+  // As for the path tracer, the sum is emission plus one and two bounces: 1 + 0.5 + 0.25 = 1.75.
   SceneDescription scene = test::furnace(0.5, 1, 16);
   scene.integrator.method = PathDescription{3, 24, false};
   const auto out = render(scene, "photonmapper", job_with(16, 1'000'000));
@@ -39,7 +39,8 @@ TEST(photon_mapper, a_single_plane_needs_no_map) {
 }
 
 TEST(photon_mapper, says_when_few_photons_arrive_where_the_camera_looks) {
-  // A light between two planes lights them; at (1000, 0, 0), between two others and behind a wall, nothing arrives.
+  // A light between two planes lights them. At (1000, 0, 0), between two other planes and behind a wall, no light
+  // arrives.
   SceneDescription d = test::floor_under_point_light(16);
   const auto facing_down = [](double x) { return Transform::translate({x, 6, 0}) * Transform::rotate({1, 0, 0}, 90); };
   const auto facing_up = Transform::translate({1000, 0, 0}) * Transform::rotate({1, 0, 0}, -90);
@@ -59,7 +60,8 @@ TEST(photon_mapper, says_when_few_photons_arrive_where_the_camera_looks) {
   EXPECT_THAT(far.stats.losses, testing::ElementsAre(testing::HasSubstr("too few arrive where the camera looks")));
 }
 
-// Caustics are missed by most gathers, however many photons there are: what is around photons tells.
+// Most gathers miss caustics, however many photons there are. The photons around photons show whether a radius is too
+// narrow.
 TEST(photon_mapper, says_where_a_given_radius_of_caustics_is_too_narrow) {
   for (const IndirectLight indirect : {IndirectLight::map, IndirectLight::gather, IndirectLight::cache}) {
     const auto losses = [&](double radius) {
@@ -77,8 +79,8 @@ TEST(photon_mapper, says_where_a_given_radius_of_caustics_is_too_narrow) {
   }
 }
 
-// A radius that holds none of them: the map has fewer than a thousand photons, which are some per cent of those
-// emitted.
+// The radius is too narrow to hold photons. The map has fewer than a thousand photons, which are a few per cent of
+// those emitted.
 TEST(photon_mapper, says_when_few_arrive_of_a_small_map_that_matters) {
   SceneDescription d = test::floor_under_point_light(16);
   const auto facing_down =
@@ -149,9 +151,9 @@ TEST(photon_mapper, says_that_fixed_radii_have_much_wrong_unless_an_error_is_ask
 }
 
 TEST(photon_mapper, skipping_the_maps_of_a_plane_changes_nothing) {
-  // With a second plane far away that faces the first the maps cannot be skipped, yet add next to nothing: E of the far
-  // plane is I/d^2 = 1e-4, of which its albedo and its solid angle over pi, 0.5 x 4/(pi 1e4), leave 6e-9 where the
-  // light gives 0.25. So the images differ by rounding alone.
+  // A distant second plane facing the first requires the maps, yet adds hardly any light. E of the far plane is
+  // I/d^2 = 1e-4. Its albedo and its solid angle over pi, 0.5 x 4/(pi 1e4), reduce that to 6e-9, where the light gives
+  // 0.25. So the images differ by rounding alone.
   const SceneDescription alone = test::floor_under_point_light(16);
   SceneDescription together = alone;
   test::add_shape(together, RectangleDescription{}, Transform::translate({0, 98, 0}) * Transform::rotate({1, 0, 0}, 90),
@@ -163,7 +165,7 @@ TEST(photon_mapper, skipping_the_maps_of_a_plane_changes_nothing) {
     EXPECT_NEAR(a.image.mean.rgb[i], b.image.mean.rgb[i], 1e-5f * a.image.mean.rgb[i]);
 }
 
-/// The room with the light unseen: its few bright pixels would carry most of the mean's noise.
+/// The room with the light out of view: its few bright pixels would carry most of the mean's noise.
 SceneDescription room_without_light_pixels(bool with_balls) {
   SceneDescription scene = test::room(32, with_balls);
   scene.integrator.method = PathDescription{-1, 5, true};
@@ -184,13 +186,12 @@ TEST(photon_mapper, room_with_glass_and_mirror_has_the_path_tracers_mean) {
   EXPECT_NEAR(photons, path, 0.015 * path);
 }
 
-// Between diffuse bounces in a sphere photons land evenly over it, wherever they come from. Of N paths in a furnace of
-// albedo 1/2 one photon each is stored on average, a gather of radius r in a sphere of radius 1 finds a share r^2/4 of
-// them, and their number is Poisson's up to terms of that share: the indirect radiance, 1/2, has the relative variance
-// 1 / (N r^2/4). Emission and direct light are the same in every sample here.
-// 30 discs that do not overlap, seen by 40 seeds, leave 4 % of doubt about a spread of images (5 deviations are allowed
-// here), and 16 passes 1 % about the variances that were claimed. Photons that do not follow the seed leave no spread,
-// passes that repeat photons leave a claim of nothing, both together leave both at nothing.
+// Between diffuse bounces in a sphere photons land evenly over it, wherever they come from. In a furnace of albedo 1/2,
+// N paths store N photons on average. A gather of radius r in a sphere of radius 1 finds a share r^2/4 of them. Their
+// number is Poisson distributed up to terms of that share. The indirect radiance, 1/2, thus has the relative variance
+// 1 / (N r^2/4). Emission and direct light are the same in every sample here. With 30 disjoint discs and 40 seeds the
+// images' spread is known to 4 % (5 deviations are allowed here). With 16 passes the claimed variances are known to
+// 1 %. Photons that ignore the seed leave no spread; passes that repeat photons make the claimed variance 0.
 TEST(photon_mapper, images_of_other_seeds_differ_as_much_as_the_claimed_variance_and_the_photons_number_say) {
   constexpr int seeds = 40;
   constexpr double photons = 8000, radius = 0.15;
@@ -235,7 +236,7 @@ TEST(photon_mapper, emits_the_photons_asked_for) {
   EXPECT_GT(out.stats.counts.at("photons_stored_caustic"), 0);
 }
 
-/// What is refused says how many this machine takes: all but that number.
+/// The error message of a refused render, with "N" for the number of photons that this machine can hold.
 std::string refusal(const SceneDescription& scene, const RenderJob& job) {
   try {
     render(scene, "photonmapper", job);

@@ -15,29 +15,29 @@
 namespace photonproof::inline renderer_photon_mapping {
 namespace {
 
-constexpr double photons_a_camera_path = 0.25;          // for each map: gathers and paths take about as long then
-constexpr std::int64_t fewest_photons_a_pass = 16'384;  // small images want their mean, too
+constexpr double photons_a_camera_path = 0.25;          // for each map: gathers and paths then take about equal time
+constexpr std::int64_t fewest_photons_a_pass = 16'384;  // small images need enough for their mean, too
 constexpr std::uint64_t pilot_photons = 20'000;
-constexpr double guessed_for = 1e6;  // photons, of MapState::photons_in_disc
+constexpr double guessed_for = 1e6;  // emitted photons that MapState::photons_in_disc refers to
 
-/// Of gathers one bounce further, whose noise is averaged over many directions and whose bias is not. Of the radius
-/// that is best for them the passes' evidence says little: directions are most of its noise.
+/// Photons in a disc of gathers one bounce further: many directions average their noise but not their bias. The passes'
+/// evidence tells little about the best radius for them, since directions cause most of its noise.
 constexpr double gathered_photons_in_disc = 100;
 
-/// Of fewer passes than this in either half the evidence is too little.
+/// Minimum of passes in each half for sufficient evidence.
 constexpr std::int64_t least_evidence = 2;
-/// From pass to pass a radius changes no more than this.
+/// Limits of a radius's change from pass to pass.
 constexpr double most_shrinking = 0.75, most_growing = 1.25;
-/// Of the guess, that a radius never leaves.
+/// Limits of a radius, as factors of the first guess.
 constexpr double widest = 4, narrowest = 1.0 / 16;
 
-/// Fewer in a disc than this, and the spread that is seen may miss the few that carry the light.
+/// With fewer photons in a disc, the observed spread may miss the few photons that carry the light.
 constexpr double few_photons_in_disc = 10;
-/// A map of fewer that are also a smaller share of those emitted says that hardly any light goes that way, not that it
-/// goes elsewhere; of fewer emitted nothing is known.
+/// Threshold of stored and of emitted photons. A map with fewer, and with a small share of those emitted, carries
+/// hardly any light. With fewer emitted, nothing is known.
 constexpr std::uint64_t few_photons_in_map = 1000;
 constexpr double small_share = 0.01;
-/// Of what the image shows across, a radius that blurs all shades of light.
+/// Radius that blurs all shades of light, as a share of the visible extent.
 constexpr double wide_part = 0.25;
 
 void choose_first_radius(MapState& map, double asked, const PhotonSource& source, RayTotals& totals) {
@@ -48,14 +48,14 @@ void choose_first_radius(MapState& map, double asked, const PhotonSource& source
   const PhotonRun pilot{map.kind, pilot_stream, source.job.seed, 0, pilot_photons, -1, map.aimed};
   radius = guess_radius(source.scene, pilot, static_cast<std::uint64_t>(guessed_for), map.photons_in_disc,
                         {source.job.kernels(), source.job.sampler}, source.threads, totals);
-  // A map whose pilot stores nothing is small enough for any radius.
+  // A pilot that stores nothing means a map small enough for any radius.
   if (radius <= 0) radius = 4 * std::max(median_pixel_footprint(source.scene), 1e-6f);
   map.radii.first_photons = std::max(map.a_sample, static_cast<double>(map.least));
   radius *= static_cast<float>(shrunk(map.radii.first_photons / guessed_for));
   map.radii.first_radius = static_cast<double>(radius);
 }
 
-/// How many photons passes have.
+/// Decides the number of photons of the passes.
 void choose_photons(MapState& map, std::int64_t by_scene, const PhotonSource& source) {
   if (source.settings.textbook) {
     map.a_sample = static_cast<double>(source.settings.textbook->photons_a_pass);
@@ -79,12 +79,12 @@ void store_counts_of(const MapState& state, double scale, std::int64_t passes, R
   stats.counts["photons_emitted_" + name] = static_cast<double>(state.counts.emitted);
   stats.counts["photons_stored_" + name] = static_cast<double>(state.counts.stored);
   stats.counts["rays_photon"] += static_cast<double>(state.counts.rays);
-  if (state.radii.radius <= 0) return;  // nothing was looked up
+  if (state.radii.radius <= 0) return;  // there were no gathers
   stats.counts["radius_" + name] = static_cast<double>(state.radii.radius) / scale;
   stats.counts["photons_in_disc_" + name] = state.in_disc(passes);
 }
 
-/// Where the scene asks for it, and both radii that the bias is learned from are too wide to see it.
+/// Adds a warning where the scene fixes a radius so wide that both radii of the bias estimate miss the bias.
 void say_if_wide(const MapState& map, const Scene& scene, RenderStats& stats) {
   const CameraView& camera = scene.view().camera;
   const double pixels = 1 / double{std::min(camera.inverse_width, camera.inverse_height)};
@@ -98,7 +98,7 @@ void say_if_wide(const MapState& map, const Scene& scene, RenderStats& stats) {
   stats.losses.emplace_back(text);
 }
 
-/// Of the map that holds the light of every surface; caustics are nowhere but in places.
+/// Adds a warning for the map that holds the light of every surface. Caustics exist only in some places.
 void say_if_few_arrive(const MapState& global, std::int64_t passes, RenderStats& stats) {
   const double in_disc = global.in_disc(passes);
   const bool few_emitted = global.counts.emitted < few_photons_in_map;
@@ -115,8 +115,8 @@ void say_if_few_arrive(const MapState& global, std::int64_t passes, RenderStats&
   stats.losses.emplace_back(text);
 }
 
-/// Caustics are where their photons are, and most gathers find none: of a radius that is given, what is around photons
-/// tells whether it is too narrow. One that is chosen here follows their density.
+/// Adds a warning where a given radius is too narrow, judged by the photons around photons: most gathers find no
+/// caustic. A radius chosen here follows the photons' density.
 void say_if_narrow(const MapState& caustic, const Scene& scene, RenderStats& stats) {
   if (!caustic.fixed_radius || caustic.gathers == 0 || caustic.counts.stored == 0 ||
       caustic.counts.around_one >= few_photons_in_disc)
@@ -130,8 +130,8 @@ void say_if_narrow(const MapState& caustic, const Scene& scene, RenderStats& sta
   stats.losses.emplace_back(text);
 }
 
-/// Photons that a pass can emit on this machine: where each is stored twice on average, the two maps and the sort of
-/// one take this much of it.
+/// Maximum of photons that a pass can emit on this machine. If each is stored twice on average, the two maps and the
+/// sort of one take this much memory.
 std::uint64_t most_photons_in_a_pass() {
   constexpr std::uint64_t bytes = 2 * (2 * 32 + 34);
   const auto memory =

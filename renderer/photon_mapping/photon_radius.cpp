@@ -20,14 +20,14 @@ float median(std::vector<float>& values) {
   return *middle;
 }
 
-/// Positions of the photons of one surface one after the other, in the photons' order.
+/// Positions of the photons of each surface, in the photons' order.
 class PhotonsBySurface {
  public:
   explicit PhotonsBySurface(const Photons& photons) : photons_(photons) {
     for (std::size_t i = 0; i < photons.size(); ++i) positions_[photons.surface[i]].push_back(photons[i].p_world);
   }
 
-  /// Of photon i to the one that k others of its surface are nearer than; negative where there are fewer.
+  /// Distance from photon i to its k-th nearest photon on the same surface; negative where there are too few.
   float distance_to_neighbour(std::size_t i, std::size_t k) const {
     const Vec3f p = photons_[i].p_world;
     const std::vector<Vec3f>& others = positions_.at(photons_.surface[i]);
@@ -73,7 +73,7 @@ double photons_around_one(const Photons& photons, float radius, const Threads& t
 float guess_radius(const Scene& scene, PhotonRun pilot, std::uint64_t total, double photons_in_disc,
                    const PhotonMethod& method, const Threads& threads, RayTotals& totals) {
   constexpr std::size_t probes = 64;
-  constexpr std::size_t neighbour = 16;  // its distance measures the density around a probe
+  constexpr std::size_t neighbour = 16;  // the distance to this neighbour measures the density around a probe
   pilot.stream = pilot_stream;
   const Photons photons = trace_photons(scene, pilot, method, threads, totals);
   if (photons.size() <= neighbour) return 0;

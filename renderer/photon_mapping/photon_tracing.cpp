@@ -9,7 +9,7 @@ namespace {
 constexpr std::uint64_t chunk_size = 4096;
 constexpr int index_bits = 32;  ///< of the sampler; runs beyond start other sequences
 
-/// A chunk's photons as they landed, path after path in no order.
+/// A chunk's photons as they landed; their paths are in no order.
 struct Landed {
   Photons photons;
   std::vector<std::uint32_t> path;
@@ -24,7 +24,7 @@ void drain(PhotonTask& task) {
   d.count = 0;
 }
 
-/// In the order of their paths; photons of one path stay in the order in which they landed (counting sort).
+/// Sorts photons by their paths; photons of one path stay in the order in which they landed (counting sort).
 Photons in_path_order(Landed& landed, std::uint32_t paths) {
   std::vector<std::uint32_t> slot(paths + 1, 0);
   for (const std::uint32_t path : landed.path) ++slot[path + 1];

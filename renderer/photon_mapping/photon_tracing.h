@@ -18,20 +18,20 @@ struct PhotonRun {
   PhotonKind kind = PhotonKind::global;
   Stream stream = global_photon_stream;
   std::uint64_t seed = 0;
-  std::uint64_t first = 0;  ///< index of the first path of this run
-  std::uint64_t count = 0;  ///< paths; each carries 1/count of the lights' flux
-  int max_edges = -1;       ///< longest light subpath, edges; -1 is unlimited
-  bool aimed = false;       ///< emitted towards specular surfaces only, for caustics
+  std::uint64_t first = 0;  ///< Index of the first path of this run.
+  std::uint64_t count = 0;  ///< Number of paths. Each carries 1/count of the lights' flux.
+  int max_edges = -1;       ///< Maximum of edges of a light subpath; -1 is unlimited.
+  bool aimed = false;       ///< Emission towards specular surfaces only, for caustics.
 };
 
-/// How photons are drawn and traced: the same for every run of a render.
+/// Kernels and sampler of photon paths: the same for every run of a render.
 struct PhotonMethod {
   const Kernels& kernels;
   SamplerKind sampler = SamplerKind::sobol;
 };
 
-/// The stored photons in the order of their paths, whatever the threads did: paths are traced in chunks of fixed size
-/// whose results are joined in order.
+/// The stored photons in the order of their paths. The result does not depend on threads: paths are traced in chunks of
+/// fixed size whose results are joined in order.
 Photons trace_photons(const Scene& scene, const PhotonRun& run, const PhotonMethod& method, const Threads& threads,
                       RayTotals& totals);
 

@@ -15,10 +15,10 @@ namespace {
 constexpr int largest_block = 8;
 constexpr double radius_in_blocks = 3;
 
-/// The points' numbers, pixel after pixel, within a pixel in the order of their paths, and of a path as it left them
-/// (counting sorts).
+/// The points' numbers sorted by pixel, within a pixel by path, and within a path in the order of creation (counting
+/// sorts).
 struct PointsByPixel {
-  std::vector<std::uint32_t> begin;  ///< of each pixel, and one past the last
+  std::vector<std::uint32_t> begin;  ///< start of each pixel, and one past the last
   std::vector<std::uint32_t> order;
 
   PointsByPixel(const GatherPoints& points, const std::vector<std::uint32_t>& pixel_of) {
@@ -106,10 +106,10 @@ SharedGathers::SharedGathers(const std::vector<PixelPoint>& points, const std::v
     return;
   }
   struct Group {
-    std::uint32_t next;   ///< of the block; `none` ends
-    std::uint32_t drawn;  ///< number in `points`
+    std::uint32_t next;   ///< next group of the block; `none` ends the list
+    std::uint32_t drawn;  ///< number of the chosen point in `points`
     float size;
-    Vec3f p;  ///< of its first point
+    Vec3f p;  ///< position of its first point
     float radius;
   };
   constexpr std::uint32_t none = 0xFFFFFFFF;

@@ -1,5 +1,5 @@
-// What is known of a photon, from the kernel that leaves it to the map that finds it. A new column is a member and its
-// place in zip_photons, and in Photon where the host reads it; only who makes it and who reads it need to know.
+// The data of a photon, from the kernel that stores it to the map that finds it. A new column is a member and its place
+// in zip_photons, and in Photon where the host reads it. Only the code that fills or reads it must change.
 #pragma once
 
 #include <cstdint>
@@ -11,8 +11,8 @@
 
 namespace photonproof::inline renderer_photons {
 
-/// The number of a surface, below bits of what photons and gathers must have in common: three of which normals maps
-/// show (MappedNormals), and whether they are of a rough part (rough_photon.h).
+/// The number of a surface, below bits in which photons and gathers must agree. Three are of the normals that maps show
+/// (MappedNormals), one of a rough part (rough_photon.h).
 struct PhotonSurface {
   static constexpr int number_bits = 28;
   static constexpr std::uint32_t number = (1u << number_bits) - 1, rough = 1u << 31;
@@ -23,7 +23,7 @@ struct PhotonColumns {
   Column<float> x, y, z;               ///< position, world
   Column<float> red, green, blue;      ///< flux, W
   Column<std::uint32_t> surface;       ///< PhotonSurface: index into Scene::surfaces
-  Column<std::uint32_t> surface_side;  ///< with the path's edges from the light to here (photon_sheet.h)
+  Column<std::uint32_t> surface_side;  ///< with the path's edges from the light to here (surface_side.h)
 };
 
 /// Calls f with one column after the other of all records.
@@ -41,7 +41,7 @@ struct Photon {
   Vec3f p_world;
   Rgb flux;                        ///< W
   std::uint32_t surface = 0;       ///< where it landed: PhotonSurface
-  std::int32_t edges = 0;          ///< path edges from the light to here; SurfaceSide::most_edges where there are more
+  std::int32_t edges = 0;          ///< path edges from the light to here; at most SurfaceSide::most_edges
   std::uint32_t surface_side = 0;  ///< side_word
 };
 

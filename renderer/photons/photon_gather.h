@@ -1,6 +1,6 @@
-// Sums the flux of the photons around a point, in blocks of sixteen with sixteen partial sums, added in one fixed tree:
-// the order of the additions, and so the result to the last bit, does not depend on how wide the machine's vectors are.
-// Vectors are as wide as lane.h's packs, but written in the extensions that GCC and Clang share: packs give the same
+// Sums the flux of the photons around a point, in blocks of sixteen with sixteen partial sums, added in one fixed tree.
+// The order of the additions, and so the result to the last bit, does not depend on the width of the machine's vectors.
+// Vectors are as wide as lane.h's packs, but written in the extensions that GCC and Clang share. Packs give the same
 // bits here in two to eight times the time. As photon_view.h, for inclusion by kernels for several instruction sets.
 #pragma once
 
@@ -18,7 +18,8 @@ struct GatheredFlux {
   std::int32_t count = 0;
 };
 
-/// Photons that landed on `surface` after at most `max_edges` edges, on the point's surface side as far as `test` asks.
+/// Photons that landed on `surface` after at most `max_edges` edges, on the point's surface side as far as `test`
+/// compares it.
 struct PhotonFilter {
   std::uint32_t surface;
   std::int32_t max_edges;
@@ -50,7 +51,7 @@ PHOTONPROOF_ALWAYS_INLINE Word sum(const Words* partial, Word zero) {
   return (s[0] + s[2]) + (s[1] + s[3]);
 }
 
-/// What photons are held against.
+/// The point, normal and filter with which photons are compared.
 template <SheetTest test>
 struct Look {
   Vec3f p, normal;
@@ -64,7 +65,7 @@ struct Look {
         surface(static_cast<std::int32_t>(filter.surface)),
         side(static_cast<std::int32_t>(filter.surface_side & SurfaceSide::from_behind)) {
     if constexpr (test == SheetTest::side_and_normal) normal = unit_side_normal(filter.surface_side);
-    // Edges are a word's highest bits: words up to this one have few enough.
+    // Edges are a word's highest bits, so words up to this one have few enough.
     constexpr std::int32_t most = SurfaceSide::most_edges;
     const std::int32_t edges = filter.max_edges < most ? filter.max_edges : most;
     last_word = edges < 0 ? -1 : edges * (1 << SurfaceSide::edges_shift) + static_cast<std::int32_t>(SurfaceSide::mask);

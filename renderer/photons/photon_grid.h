@@ -1,10 +1,10 @@
-// Which cell of a uniform grid a point lies in, and which cells a ball touches, in floats and without a miss.
+// The cell of a uniform grid that a point lies in, and the cells that a ball touches, in floats and without a miss.
 //
 // A cell is found by x -> min(trunc((x - low) / width), last). Every step of that is monotone in x under rounding, so a
-// photon between two points along an axis is in a cell between theirs. What is left to show is that a photon at
+// photon between two points along an axis is in a cell between theirs. It remains to show that a photon at
 // fl(fl(x - p)^2) <= fl(r^2) lies between p - reach and p + reach as reach() computes them. Rounded squares of two
-// neighbouring floats differ unless they underflow, so |fl(x - p)| is at most r, or it is below 2^-62, where squares
-// may be flushed to 0; then |x - p| is at most r (1 + 2^-23) or 2^-61, and the rounding of p + reach is below 2^-24
+// neighbouring floats differ unless they underflow. So |fl(x - p)| is at most r, or it is below 2^-62, where squares
+// may be flushed to 0. Then |x - p| is at most r (1 + 2^-23) or 2^-61, and the rounding of p + reach is below 2^-24
 // (|p| + reach). Points outside the grid belong to its border cells.
 #pragma once
 
@@ -62,7 +62,7 @@ struct PhotonGrid {
   }
   PHOTONPROOF_ALWAYS_INLINE static float reach(float at, float radius) {
     const float magnitude = at < 0 ? -at : at;
-    // Squares that overflow compare equal whatever the distance.
+    // Squares that overflow compare equal at any distance.
     return radius * radius <= std::numeric_limits<float>::max()
                ? radius * (1 + 0x1p-20f) + magnitude * 0x1p-22f + 0x1p-60f
                : std::numeric_limits<float>::infinity();

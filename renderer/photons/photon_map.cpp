@@ -13,14 +13,14 @@ namespace {
 constexpr double most_cells_along = 1 << 21;  // a cell's index is exact in floats, its key fits 63 bits
 
 /// Photons lie on surfaces, so most cells of a grid are empty; beyond this the array costs more memory and build time
-/// than the photons. There they are also sparse, and gathers take their time for finding cells: wider ones, of which a
-/// ball touches 4 rows and not 9, are the faster (photon_map_bench).
+/// than the photons. Photons are then sparse, too, and gathers spend their time on finding cells. Wider cells are
+/// faster there: a ball touches 4 rows of them instead of 9 (photon_map_bench).
 double most_dense_cells(std::size_t photons) { return 8.0 * static_cast<double>(photons) + 262144; }
 
 PhotonGrid grid_for(const Bounds& bounds, float radius) {
   const Vec3d extent = Vec3d(bounds.high) - Vec3d(bounds.low);
   const double widest = max_component(extent);
-  // No smaller than what leaves its inverse finite, and none at all where the inverse would be subnormal.
+  // Wide enough for a finite inverse; no grid at all where the inverse would be subnormal.
   const double width = std::max({static_cast<double>(radius), widest / (most_cells_along - 1), 0x1p-120});
   PhotonGrid grid;
   grid.low = bounds.low;
@@ -32,7 +32,7 @@ PhotonGrid grid_for(const Bounds& bounds, float radius) {
   return grid;
 }
 
-/// Of more, the sort's memory is given back: it would be more than a gigabyte.
+/// With more photons than this the sort's memory is freed: it would be more than a gigabyte.
 constexpr std::size_t most_to_keep_staged = 30'000'000;
 
 void put(Photons& photons, std::size_t slot, const StagedPhoton& p) {
@@ -86,7 +86,7 @@ void PhotonMap::sort_into_dense_cells(const StagedPhotons& staged, const Threads
       cell_of[i - first] = static_cast<std::uint32_t>(grid_.key(grid_.cell(p.x, p.y, p.z)) - first_cell);
       ++begin_of[cell_of[i - first]];
     }
-    // From counts to ends, which placing the photons from the last to the first turns into begins.
+    // Converts counts to ends; placing the photons from the last to the first turns these into begins.
     std::uint32_t total = first;
     for (std::size_t cell = 0; cell < end_cell - first_cell; ++cell) total = begin_of[cell] += total;
     for (std::uint32_t i = end; i-- > first;) order[--begin_of[cell_of[i - first]] - first] = i;

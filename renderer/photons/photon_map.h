@@ -17,23 +17,23 @@ struct StagedPhotons;
 
 class PhotonMap {
  public:
-  /// How cells are found: by an array over all of them while they are few enough, else by a hash of the occupied ones.
+  /// Cells are found by an array over all of them while they are few enough, else by a hash of the occupied ones.
   enum class Layout { dense, compact };
 
   PhotonMap() = default;
   /// Cells are `radius` wide, or twice that where there would be more than 8 for each photon and 2^18 more; if there
   /// still are, the map is compact. (Wider only where an axis would have more than 2^21.) Queries may use any radius,
-  /// and are fastest near that one. The same map at any number of threads. Fewer than 2^31 photons, whose arrays the
-  /// map keeps.
+  /// and are fastest near that one. The map is the same at any number of threads. It keeps the photons' arrays; there
+  /// must be fewer than 2^31 photons.
   PhotonMap(Photons photons, float radius, const Threads& threads) { build(std::move(photons), radius, threads); }
-  /// Makes this map of other photons. It keeps its memory, the sort's included (34 bytes a photon) up to a gigabyte of
-  /// it, so that a render of many passes touches new pages in the first only.
+  /// Rebuilds this map from other photons. It keeps its memory, including up to a gigabyte of the sort's (34 bytes per
+  /// photon). So a render of many passes touches new pages in the first only.
   void build(Photons photons, float radius, const Threads& threads);
 
   std::size_t size() const { return count_; }
   bool empty() const { return count_ == 0; }
   Layout layout() const { return layout_; }
-  /// Cells an index exists for: all of the dense grid's, the occupied ones of a compact one.
+  /// Number of indexed cells: all of a dense grid, the occupied ones of a compact one.
   std::uint64_t cells() const { return layout_ == Layout::dense ? grid_.cells() : rows_.cells(); }
 
   PhotonView view() const;
@@ -56,7 +56,7 @@ class PhotonMap {
   void sort_into_occupied_cells(const StagedPhotons& staged, const Threads& threads);
 
   std::size_t count_ = 0;
-  Photons photons_;  ///< and Photons::padding more
+  Photons photons_;  ///< and Photons::padding more elements
   Layout layout_ = Layout::dense;
   PhotonGrid grid_;
   LargeArray<std::uint32_t> cell_begin_;  ///< dense

@@ -1,6 +1,6 @@
-// The photon map and the kd-tree against nanoflann on the same photons and queries: a box of walls with two spheres, as
-// many photons as the argument says, discs of fifty (sparse: an eighth as wide, for which the map is compact).
-// nanoflann works with what suits it best: points as triples, flux and filter in its callback, so that no list of
+// The photon map and the kd-tree against nanoflann on the same photons and queries. The scene is a box of walls with
+// two spheres. The argument is the number of photons; discs hold fifty (sparse: an eighth as wide, for which the map is
+// compact). The form suits nanoflann best: points as triples, flux and filter in its callback, so that no list of
 // matches is made. One thread unless the name says otherwise. PHOTONPROOF_BENCH_LARGE=1 adds 1e7 photons.
 
 #include <benchmark/benchmark.h>
@@ -50,7 +50,7 @@ SurfacePoint point_on_surfaces(double where, const Vec2<float>& u) {
   return {{u.x, u.y, offset}, wall};
 }
 
-/// Points as nanoflann wants them, and what its callback sums.
+/// Points in nanoflann's form, and the sums of its callback.
 struct Cloud {
   std::vector<Photon> photons;
   std::size_t kdtree_get_point_count() const { return photons.size(); }
@@ -75,8 +75,8 @@ struct Sum {
   Rgb flux{0.0f};
   int count = 0;
   bool full() const { return true; }
-  std::size_t size() const { return 0; }  // of a list of matches, of which there is none
-  void sort() const {}                    // asked for from nanoflann 1.6 on
+  std::size_t size() const { return 0; }  // there is no list of matches
+  void sort() const {}                    // nanoflann 1.6 and later need it
   float worstDist() const { return radius2; }
   bool addPoint(float distance2, std::uint32_t i) {
     const Photon& photon = cloud.photons[i];
@@ -122,7 +122,7 @@ struct SceneInterface {
       photons.push_back(photon);
       cloud.photons.push_back(photon);
     }
-    // As a camera makes them: row after row of one surface after the other, jittered.
+    // Like a camera's: row after row of one surface after the other, jittered.
     constexpr int side = 110;
     for (int face = 0; face < 8; ++face) {
       for (int row = 0; row < side; ++row) {
@@ -144,7 +144,7 @@ struct SceneInterface {
   }
 };
 
-const SceneInterface& world(std::int64_t count) {
+const SceneInterface& scene(std::int64_t count) {
   static std::map<std::int64_t, std::unique_ptr<SceneInterface>> made;
   auto& slot = made[count];
   if (!slot) slot = std::make_unique<SceneInterface>(count);
@@ -165,7 +165,7 @@ void build_and_time(benchmark::State& state, PhotonMap& map, const Photons& phot
 }
 
 void build_ours(benchmark::State& state, int thread_count) {
-  const SceneInterface& w = world(state.range(0));
+  const SceneInterface& w = scene(state.range(0));
   const Threads threads(thread_count);
   PhotonMap map;
   for (auto _ : state) build_and_time(state, map, w.photons, w.radius, threads);
@@ -173,7 +173,7 @@ void build_ours(benchmark::State& state, int thread_count) {
 }
 
 void build_compact(benchmark::State& state) {
-  const SceneInterface& w = world(state.range(0));
+  const SceneInterface& w = scene(state.range(0));
   const Threads threads(1);
   PhotonMap map;
   for (auto _ : state) build_and_time(state, map, w.photons, w.radius / sparse_by, threads);
@@ -181,7 +181,7 @@ void build_compact(benchmark::State& state) {
 }
 
 void build_tree(benchmark::State& state, int thread_count) {
-  const SceneInterface& w = world(state.range(0));
+  const SceneInterface& w = scene(state.range(0));
   const Threads threads(thread_count);
   for (auto _ : state) {
     PhotonKdTree tree(w.photons, threads);
@@ -191,7 +191,7 @@ void build_tree(benchmark::State& state, int thread_count) {
 }
 
 void build_nanoflann(benchmark::State& state) {
-  const SceneInterface& w = world(state.range(0));
+  const SceneInterface& w = scene(state.range(0));
   for (auto _ : state) {
     Tree tree(3, w.cloud, tree_parameters);
     Tree* built = &tree;
@@ -212,7 +212,7 @@ std::vector<std::uint32_t> order_given(std::size_t count) {
   return order;
 }
 
-/// As the photon mapper does it: by the kernel of the processor's best instruction set.
+/// The photon mapper's gather, by the kernel of the processor's best instruction set.
 void radiance_estimate(benchmark::State& state, const PhotonMap& map, const Queries& queries, float radius,
                        bool sorted) {
   GatherQueue points = gather_points(queries);
@@ -231,7 +231,7 @@ void radiance_estimate(benchmark::State& state, const PhotonMap& map, const Quer
   state.counters["photons"] = found / queries_made;
 }
 
-/// Sorted: by the cells of our map, which the time includes, as it does of ours.
+/// Sorted by the cells of our map; the time includes the sort, as it does for ours.
 void gather_nanoflann(benchmark::State& state, const SceneInterface& w, const PhotonMap& map, const Queries& queries,
                       float radius, bool sorted) {
   const GatherQueue points = gather_points(queries);
@@ -301,21 +301,21 @@ void register_all() {
         for (const bool sorted : {false, true}) {
           const auto map = [sparse](const SceneInterface& w) -> const PhotonMap& { return sparse ? w.compact : w.map; };
           add(task + (sorted ? "/ours_sorted" : "/ours"), [=](benchmark::State& s) {
-            const SceneInterface& w = world(s.range(0));
+            const SceneInterface& w = scene(s.range(0));
             radiance_estimate(s, map(w), queries(w), radius(w), sorted);
           });
           add(task + (sorted ? "/nanoflann_sorted" : "/nanoflann"), [=](benchmark::State& s) {
-            const SceneInterface& w = world(s.range(0));
+            const SceneInterface& w = scene(s.range(0));
             gather_nanoflann(s, w, map(w), queries(w), radius(w), sorted);
           });
         }
       }
       add("photon_nearest" + how + "/ours", [=](benchmark::State& s) {
-        const SceneInterface& w = world(s.range(0));
+        const SceneInterface& w = scene(s.range(0));
         nearest_ours(s, w, queries(w));
       });
       add("photon_nearest" + how + "/nanoflann", [=](benchmark::State& s) {
-        const SceneInterface& w = world(s.range(0));
+        const SceneInterface& w = scene(s.range(0));
         nearest_nanoflann(s, w, queries(w));
       });
     }

@@ -1,4 +1,4 @@
-// The photon grid, dense and compact, against brute force: the same photons, not nearly the same.
+// The photon grid, dense and compact, compared with brute force: exactly the same photons.
 
 #include "renderer/photons/photon_map.h"
 
@@ -47,7 +47,7 @@ TEST_P(PhotonMapOf, hundred_thousand_queries_find_exactly_what_brute_force_finds
     const Vec3f p = query_point(GetParam(), photons, q);
     test::Random s(43, q);
     const float any = s.next();
-    // The grids' own radii, any other, none at all, and exactly the distance of some photon.
+    // The grids' own radii, any other, zero, and exactly the distance of some photon.
     const float radius = q % 5 == 0   ? 0.05f
                          : q % 5 == 1 ? 0.003f
                          : q % 5 == 2 ? 0.3f * any * any * any
@@ -237,7 +237,7 @@ TEST(photon_map, of_huge_extent_and_tiny_radius_is_compact_and_exact) {
 }
 
 TEST(photon_map, refilled_in_another_layout_keeps_nothing_of_the_last) {
-  // As passes do, one of whose photons may land far out.
+  // As in passes: a photon of one of them may land far out.
   const Photons near_by = make_cloud(Cloud::uniform, 3000);
   Photons with_one_far_out = near_by;
   with_one_far_out.x[7] = 1e6f;

@@ -1,6 +1,6 @@
-// The occupied cells of a grid that has far more cells than photons: for each occupied row of cells along x its cells
-// in order, and a hash table that finds the row. A row's coordinates are compared, so cells whose hashes collide are
-// never taken for one another, and neighbouring cells of a row stay one run of photons, as in the dense grid.
+// The occupied cells of a grid that has far more cells than photons. Each occupied row along x has its cells in order,
+// and a hash table finds the row. A row's coordinates are compared, so cells whose hashes collide are never confused.
+// Neighbouring cells of a row stay one run of photons, as in the dense grid.
 #pragma once
 
 #include <cstdint>
@@ -31,7 +31,7 @@ struct PhotonRowsView {
     return (key * 0x9E3779B97F4A7C15ull) >> hash_shift;  // Knuth's multiplicative hashing by the golden ratio
   }
 
-  /// visit(begin, end) for the photons in cells [low_x, high_x] of the row, if there are any.
+  /// Calls visit(begin, end) for the photons in cells [low_x, high_x] of the row, if there are any.
   template <class Visit>
   PHOTONPROOF_ALWAYS_INLINE void visit_row(const Row& row, std::int32_t low_x, std::int32_t high_x,
                                            Visit&& visit) const {
@@ -40,7 +40,7 @@ struct PhotonRowsView {
     if (first < end) visit(cell_begin[first], cell_begin[end]);
   }
 
-  /// visit(begin, end) for the runs of photons in a range of cells, in ascending order.
+  /// Calls visit(begin, end) for the runs of photons in a range of cells, in ascending order.
   template <class Visit>
   PHOTONPROOF_ALWAYS_INLINE void for_each_run(const PhotonGrid& grid, const PhotonGrid::Range& range,
                                               Visit&& visit) const {

@@ -1,6 +1,6 @@
-// First half of the photon map's build, a counting sort in two levels (the first a partition into buckets of
-// neighbouring cells, in parallel over fixed chunks; the second, in the map, over buckets that fit a cache). Both keep
-// photons of one cell in the order of their input, so the result is the same at any number of threads.
+// First half of the photon map's build, a counting sort in two levels. The first level partitions photons into buckets
+// of neighbouring cells, in parallel over fixed chunks. The second, in the map, sorts buckets that fit a cache. Both
+// keep photons of one cell in the order of their input, so the result is the same at any number of threads.
 #pragma once
 
 #include <cstddef>
@@ -25,13 +25,13 @@ struct StagedPhotons {
   std::size_t buckets() const { return begin.size() - 1; }
 };
 
-/// Refills `staged`, whose memory serves again.
+/// Refills `staged`, whose memory is reused.
 void stage_by_bucket(const Photons& photons, const PhotonGrid& grid, const Threads& threads, StagedPhotons& staged);
 
 struct Bounds {
   Vec3f low, high;
 };
-/// Of at least one photon.
+/// The bounding box of the photons; there must be at least one.
 Bounds bounds_of(const Photons& photons, const Threads& threads);
 
 }  // namespace photonproof::inline renderer_photons

@@ -1,4 +1,4 @@
-// A photon map as plain pointers: what gathers need, valid while the map lives. Nothing here is emitted out of line
+// A photon map as plain pointers for gathers, valid while the map lives. Nothing here is emitted out of line
 // (always_inline.h), so kernels for several instruction sets can include it.
 #pragma once
 

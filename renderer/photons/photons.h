@@ -11,7 +11,7 @@
 
 namespace photonproof::inline renderer_photons {
 
-/// Every array has the same size: 32 bytes a photon. Positions are finite.
+/// Every array has the same size: 32 bytes per photon in all. Positions are finite.
 struct Photons : PhotonColumns<LargeArray> {
   /// Arrays of a photon map may be read up to this many elements past the last photon.
   static constexpr std::size_t padding = 16;
@@ -27,7 +27,7 @@ struct Photons : PhotonColumns<LargeArray> {
   void resize(std::size_t count) {
     zip_photons([count](auto& array) { array.resize(count); }, *this);
   }
-  /// Room for `count` photons and what a photon map, which keeps these arrays, appends to them.
+  /// Reserves memory for `count` photons and the padding of a photon map, which keeps these arrays.
   void reserve(std::size_t count) {
     zip_photons([count](auto& array) { array.reserve(count + padding); }, *this);
   }

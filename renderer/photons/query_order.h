@@ -1,4 +1,4 @@
-// Sorts a batch of gathers so that neighbours follow each other: the photons they share are then still in the cache.
+// Sorts a batch of gathers so that neighbours follow each other: their common photons are then still in the cache.
 #pragma once
 
 #include <cstdint>

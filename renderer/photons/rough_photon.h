@@ -1,7 +1,7 @@
-// Photons on rough parts of BSDFs (rough_part.h) are looked up by the direction they came from. It stands, 2 x 16 bits,
-// where others have their blue, and the colour where those have red and green: its largest channel and, 3 x 10 bits,
-// what the channels have of that one, at most 0.05 % of it off. So a photon has 32 bytes whatever it landed on. Their
-// surface's number bears PhotonSurface::rough, by which no other gather counts them.
+// Photons on rough parts of BSDFs (rough_part.h) are gathered by the direction they came from. The direction, 2 x 16
+// bits, replaces the blue of other photons. The colour replaces their red and green: the largest channel, and the
+// channels' shares of it in 3 x 10 bits, with an error of at most 0.05 % of it. So every photon has 32 bytes. Their
+// surface's number has the bit PhotonSurface::rough, by which other gathers leave them out.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@
 
 namespace photonproof::inline renderer_photons {
 
-/// In place of flux: three columns of a photon.
+/// Three columns of a photon in place of its flux.
 template <class F>
 struct RoughPhotonWords {
   F largest;
@@ -39,7 +39,7 @@ Vec3<F> flux_of_rough_photon(const RoughPhotonWords<F>& words) {
   return {channel(2 * rough_share_bits), channel(rough_share_bits), channel(0)};
 }
 
-/// Unit.
+/// Unit vector.
 template <class F>
 Vec3<F> direction_of_rough_photon(const RoughPhotonWords<F>& words) {
   constexpr float steps = (1 << (rough_direction_bits - 1)) - 1;

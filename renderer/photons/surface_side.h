@@ -1,10 +1,10 @@
-// Which photons near a point landed where its light does. Distance and surface alone do not say: a mesh is one surface
-// with many planes, and a thin slab of it has its lit face within the radius of the dark one. So a photon keeps, in one
-// word with its path's edges, the surface side it landed on: the surface's front normal there, octahedral (Meyer et al.
-// 2010) in 2 x 10 bits, at most 0.24 degrees off, and whether it came from behind. A gather counts photons
-//   of the same side, of normals at most 41 degrees apart, and within a quarter of the radius of its tangent plane,
-// and divides by the area of just these points of the surface (gather_area.h): both go by the same rounded normals, so
-// that the quotient's mean is the irradiance's whatever the bounds are. For inclusion by kernels, as photon_gather.h.
+// The test whether a photon near a point landed on the same lit side. Distance and surface alone do not decide this. A
+// mesh is one surface with many planes, and a thin slab has its lit face within the radius of the dark one. So a photon
+// keeps the surface side it landed on, in one word with its path's edges. The word has the surface's front normal
+// there, octahedral (Meyer et al. 2010) in 2 x 10 bits, at most 0.24 degrees off, and whether the photon came from
+// behind. A gather counts photons of the same side, of normals at most 41 degrees apart, and within a quarter of the
+// radius of its tangent plane. It divides by the area of just these points of the surface (gather_area.h). Both use the
+// same rounded normals, so the quotient's mean is the irradiance's for any bounds. Kernels include this file.
 #pragma once
 
 #include <cstdint>
@@ -19,12 +19,12 @@ struct SurfaceSide {
   static constexpr std::uint32_t most_edges = 1023;  ///< longer paths count as this long
   static constexpr int edges_shift = 21;
   static constexpr std::uint32_t from_behind = 1u << 20;
-  static constexpr std::uint32_t mask = (1u << edges_shift) - 1;  ///< all but the edges
+  static constexpr std::uint32_t mask = (1u << edges_shift) - 1;  ///< all except the edges
   static constexpr int normal_bits = 10;                          ///< along an axis
   static constexpr int normal_steps = (1 << (normal_bits - 1)) - 1;
 };
 
-/// How much of the surface side a gather compares; what is alike all over a surface need not be.
+/// The part of the surface side that a gather compares; properties constant over a surface need no test.
 enum class SheetTest : std::uint8_t { none, side, side_and_normal };
 
 inline constexpr float least_side_cosine = 0.75f;  ///< of the angle between the normals
@@ -42,14 +42,14 @@ PHOTONPROOF_ALWAYS_INLINE UInt<F> octahedral_word(const Vec3<F>& direction) {
   return to_uint(F(u + (steps + 0.5f))) * (1u << bits) + to_uint(F(v + (steps + 0.5f)));
 }
 
-/// `front`: the surface's geometric normal, unit. `shading`: the normal of what was hit, behind where that was.
+/// `front`: the surface's geometric normal, unit. `shading`: the normal at the hit, on the back where that was hit.
 template <class F>
 PHOTONPROOF_ALWAYS_INLINE UInt<F> side_word(const Vec3<F>& front, const Vec3<F>& shading) {
   const UInt<F> behind = select(dot(front, shading) < 0, UInt<F>(SurfaceSide::from_behind), UInt<F>(0u));
   return behind + octahedral_word<SurfaceSide::normal_bits>(front);
 }
 
-/// With the edges of the photon's path from the light.
+/// The word with the edges of the photon's path from the light.
 template <class F>
 PHOTONPROOF_ALWAYS_INLINE UInt<F> with_edges(const UInt<F>& surface_side, const UInt<F>& edges) {
   const UInt<F> most(SurfaceSide::most_edges);
@@ -84,7 +84,7 @@ PHOTONPROOF_ALWAYS_INLINE Vec3f unit_side_normal(std::uint32_t word) {
   const Vec3f n = side_normal(word);
   return n * (1 / lane_sqrt(n.x * n.x + n.y * n.y + n.z * n.z));
 }
-/// Of the side that was hit.
+/// Unit normal of the side that was hit.
 inline Vec3f facing_side_normal(std::uint32_t word) {
   const Vec3f n = unit_side_normal(word);
   return (word & SurfaceSide::from_behind) != 0 ? -n : n;

@@ -1,4 +1,4 @@
-// What a photon keeps of where it landed, and which photons a gather counts by it.
+// The surface side that a photon stores, and the photons that a gather counts by it.
 
 #include "renderer/photons/surface_side.h"
 

@@ -1,4 +1,4 @@
-// Photons and queries that the tests of the photon structures share: the shapes on which grids and trees go wrong.
+// Photons and queries for the tests of the photon structures: shapes that are difficult for grids and trees.
 #pragma once
 
 #include <cmath>

@@ -63,9 +63,9 @@ class Candidates {
     return static_cast<std::int64_t>(std::uint64_t{std::bit_cast<std::uint32_t>(distance_squared)} << 32 | index);
   }
   void keep_the_best() {
-    // Quickselect (Hoare 1961) whose partition has no branches: with keys this few, std::nth_element took half of all
-    // the time of a gather, most of it mispredicted. Keys are distinct, so of three or more some are below the median
-    // of three and some are not.
+    // Quickselect (Hoare 1961) whose partition has no branches: with so few keys, std::nth_element took half of the
+    // time of a gather, most of it mispredicted branches. Keys are distinct, so of three or more some are below the
+    // median of three and some are not.
     std::size_t begin = 0, end = count_;  // of the part the wanted-th key is in
     while (end - begin > 2) {
       const std::int64_t a = keys_[begin], b = keys_[begin + (end - begin) / 2], c = keys_[end - 1];

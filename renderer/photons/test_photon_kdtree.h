@@ -1,7 +1,6 @@
-// The k nearest photons, as tests and benches find them (the program looks up discs alone): a kd-tree whose leaves are
-// buckets of photons as arrays, cut at the median of the widest axis (Friedman, Bentley, Finkel 1977). Nodes keep the
-// bounds of their photons instead of the cuts: photons lie on surfaces, whose bounds are far smaller than a cut's half
-// space.
+// The k nearest photons, for tests and benches (the program gathers discs only). A kd-tree whose leaves are buckets of
+// photons as arrays, cut at the median of the widest axis (Friedman, Bentley, Finkel 1977). Nodes store the bounds of
+// their photons instead of the cuts: photons lie on surfaces, whose bounds are far smaller than a cut's half space.
 #pragma once
 
 #include <compare>
@@ -20,7 +19,7 @@ class PhotonKdTree {
  public:
   struct Neighbour {
     float distance_squared;
-    std::uint32_t index;  ///< into the photons the tree was built of
+    std::uint32_t index;  ///< into the photons of the tree
     friend auto operator<=>(const Neighbour&, const Neighbour&) = default;
   };
 
@@ -31,8 +30,8 @@ class PhotonKdTree {
   std::size_t size() const { return index_.size(); }
 
   /// The photons that come first by (distance_squared, index), at most out.size() and none with distance_squared >
-  /// max_radius^2, in that order; returns how many. The squared distance is evaluated as PhotonView's, so the answer is
-  /// brute force's whatever the tree. Finite p, max_radius >= 0.
+  /// max_radius^2, in that order; returns their number. The squared distance is evaluated as PhotonView's, so the
+  /// result equals brute force's for any tree. Finite p, max_radius >= 0.
   std::size_t nearest(const Vec3f& p, float max_radius, std::span<Neighbour> out) const;
 
  private:

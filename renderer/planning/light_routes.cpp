@@ -9,7 +9,8 @@ bool is_delta_turn(char t) { return t == turn::is_thrown || t == turn::goes_stra
 bool begins_with_delta(const LightRoute& route) { return !route.turns.empty() && is_delta_turn(route.turns.front()); }
 bool ends_with_delta(const LightRoute& route) { return !route.turns.empty() && is_delta_turn(route.turns.back()); }
 
-/// Camera paths meet every light that has a size, and sample the others from where light scatters last before them.
+/// Camera paths meet every light that has a size. They sample the others, unless the first surface after the light
+/// sends it into one direction or straight on.
 bool path_finds(const LightRoute& route) { return !route.from_point || !begins_with_delta(route); }
 
 /// The same, but it samples lights through surfaces that light goes straight through.
@@ -19,11 +20,11 @@ bool volpath_finds(const LightRoute& route) {
   return path_finds(bent);
 }
 
-/// Every vertex is joined to the camera; what the camera sees by one direction alone has none. Lights themselves are
-/// shown by points of their own.
+/// Every vertex is connected to the camera, except where the camera sees it by one direction alone. Lights themselves
+/// are shown by points of their own.
 bool ptracer_finds(const LightRoute& route) { return !ends_with_delta(route); }
 
-/// Both, and light paths joined to camera paths between two vertices that scatter.
+/// Both, and light paths connected to camera paths between two vertices that scatter.
 bool bdpt_finds(const LightRoute& route) {
   const auto scatters = [](char t) { return !is_delta_turn(t); };
   const auto joined = std::adjacent_find(route.turns.begin(), route.turns.end(),

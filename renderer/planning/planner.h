@@ -1,4 +1,4 @@
-// What integrators make their plans with: the facts, the switches, and what several of them decide alike.
+// The tool with which integrators make their plans: facts, switches, and decisions common to several integrators.
 #pragma once
 
 #include <string>
@@ -13,7 +13,7 @@ namespace photonproof::inline renderer_planning {
 
 /// Up to this many primitives are tested one after the other instead of through Embree. Measured among random
 /// parallelograms (rays_bench.cpp, "threshold"): at 128 the packed kernel is 1.8, 1.4 and 0.9 times as fast with 16, 8
-/// and 4 lanes, and Embree does better than there where primitives do not overlap.
+/// and 4 lanes. Where primitives do not overlap, Embree does better than that.
 inline constexpr std::size_t brute_force_limit = 128;
 /// The same for integrators that trace one ray at a time: bdpt on `cornell` (12 parallelograms) is 1.4 times as fast
 /// through Embree, on `cornell-spheres` (8 primitives) as fast.
@@ -21,20 +21,20 @@ inline constexpr std::size_t brute_force_limit_of_single_rays = 8;
 
 class Planner {
  public:
-  /// Decides what the scene is to be built of; at most `small_limit` primitives make a small scene.
+  /// Decides how the scene is built; at most `small_limit` primitives make a small scene.
   Planner(const SceneFacts& facts, const RenderJob& job, std::size_t small_limit);
 
   const SceneFacts& facts() const { return facts_; }
   const RenderJob& job() const { return job_; }
 
-  /// Something that is done.
+  /// Adds a step that runs.
   void run(const std::string& what, const std::string& how) { plan_.runs.push_back({what, how}); }
-  /// Something that is left out where it is `possible` and not switched off. `why` it is possible, or why not.
+  /// Decides on a step that is left out where it is `possible` and not switched off. `why` it is possible, or why not.
   bool decide(Skip skip, bool possible, const std::string& why, const std::string& why_not);
 
-  // --- what several integrators do ---
+  // --- steps common to several integrators ---
 
-  /// Rays of the kernels, and what they shade with.
+  /// Rays of the kernels, and their shading.
   void batches();
   /// Rays of integrators that follow one path at a time.
   void rays_one_by_one();

@@ -36,7 +36,7 @@ bool reflects_diffusely(const SceneParts& scene, const Surface& surface) {
   });
 }
 
-/// A front that is lit alone: rays from behind see nothing of it.
+/// Whether only the front is lit: rays from behind see nothing of it.
 bool is_one_sided(const SceneParts& scene, const Surface& surface) { return scene.bsdfs.is_leaf(surface.bsdf); }
 
 /// Whether some point of `other` may lie in front of the quad. Corners decide for a quad, the nearest point for a
@@ -106,7 +106,7 @@ SceneFacts analyse(const SceneParts& scene) {
   }
   facts.all_plain = std::ranges::all_of(scene.plain, [](char plain) { return plain != 0; });
   facts.any_diffuse = !diffuse.empty();
-  // By way of a mirror even one plane sees itself.
+  // In a mirror even one plane sees itself.
   facts.diffuse_interreflection =
       facts.any_diffuse && (facts.specular_surfaces > 0 || can_interreflect(scene, diffuse));
   return facts;

@@ -1,4 +1,4 @@
-// Scenes of tests and benches, built as a plan without an integrator would have them.
+// Scenes of tests and benches, built as for a plan without an integrator.
 #pragma once
 
 #include "renderer/planning/planner.h"

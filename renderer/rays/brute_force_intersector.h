@@ -1,6 +1,6 @@
 // Rays against all primitives of a small scene, one after the other, a pack of rays at a time. No acceleration
-// structure beats this below a few dozen primitives; the threshold is in scene.h, which says where it comes
-// from. Plates are decided without a division: with t = num / den everything is compared after multiplying by |den|.
+// structure is faster below a few dozen primitives; planner.h has the threshold and its measurement. Plates are tested
+// without a division: with t = num / den everything is compared after multiplying by |den|.
 #pragma once
 
 #include <limits>
@@ -31,7 +31,7 @@ PlateCrossing<F> cross_plate(const Plate& plate, const Vec3<F>& origin, const Ve
   const F v = mul_add(F(apply(plate.edge_v, origin) + plate.v0), speed, apply(plate.edge_v, direction) * distance);
   const F low = -plate_margin * speed;
   const F high = speed - low;
-  // A ray that starts on the plane meets it where it goes from front to back: rounding put its origin there, on the
+  // A ray that starts on the plane meets it where it goes from front to back. Its origin is there by rounding, on the
   // edge of a neighbour, and it must not get out.
   const F least = lane_copysign(F(std::numeric_limits<float>::min()), toward);
   const Mask<F> inside = distance > least && u >= low && v >= low;
@@ -58,8 +58,8 @@ BallCrossing<F> cross_ball(const Ball& ball, const Vec3<F>& origin, const Vec3<F
   return {middle, lane_sqrt(lane_max(discriminant, F(0.0f))), discriminant > 0};
 }
 
-/// Closest hits of rays with unit directions. `from` is the primitive a ray leaves, which it meets again only where
-/// that is a sphere it crosses.
+/// Closest hits of rays with unit directions. `from` is the primitive that a ray leaves. The ray meets it again only
+/// where that is a sphere it crosses.
 template <class F>
 SurfaceHit<F> closest_small(const BruteForceView& scene, const Vec3<F>& origin, const Vec3<F>& direction,
                             const UInt<F>& from) {
@@ -115,8 +115,8 @@ SurfaceHit<F> closest_small(const BruteForceView& scene, const Vec3<F>& origin, 
   return hit;
 }
 
-/// Where something lies on the open segment from `origin` to origin + segment. `from` as above; `target` is a primitive
-/// the segment ends on, seen from its front: it is in the way only where that is the far side of a sphere.
+/// Whether a primitive lies on the open segment from `origin` to origin + segment. `from` as above. `target` is a
+/// primitive that the segment ends on, seen from its front; it occludes only where that is the far side of a sphere.
 template <class F>
 Mask<F> occluded_small(const BruteForceView& scene, const Vec3<F>& origin, const Vec3<F>& segment, const UInt<F>& from,
                        const UInt<F>& target) {
@@ -137,7 +137,7 @@ Mask<F> occluded_small(const BruteForceView& scene, const Vec3<F>& origin, const
     const F enter = c.middle - c.half;
     const F elsewhere = select(enter > 0, enter, c.middle + c.half);
     const F t = select(equal<F>(from, U(id)), 2 * c.middle, elsewhere);
-    // A target is passed on the way from outside to where it shines inward.
+    // The segment passes a target on the way from outside to where it emits inward.
     const Mask<F> is_target = equal<F>(target, U(id));
     const Mask<F> passed = enter > 1 - segment_end && c.middle < segment_end && !equal<F>(from, U(id));
     const Mask<F> between = t > 0 && t < segment_end;

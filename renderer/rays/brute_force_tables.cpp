@@ -3,7 +3,7 @@
 namespace photonproof::inline renderer_rays {
 namespace {
 
-/// In double, since what comes out is used for every ray.
+/// In double precision, since the result is used for every ray.
 Plate plate(const Vec3d& corner, const Vec3d& edge_u, const Vec3d& edge_v, const Vec3d& normal) {
   const Vec3d n = cross(edge_u, edge_v);
   const Vec3d along_u = cross(edge_v, n);

@@ -1,4 +1,4 @@
-// The primitives of a small scene in the form its kernel wants (brute_force.h).
+// The primitives of a small scene in the form of its kernel (brute_force_intersector.h).
 #pragma once
 
 #include <vector>
@@ -10,16 +10,16 @@ namespace photonproof::inline renderer_rays {
 
 class BruteForceTables {
  public:
-  /// Parallelograms, triangles and spheres up to this radius; whatever else there is is Embree's.
+  /// Parallelograms, triangles and spheres up to this radius; Embree holds all other shapes.
   static bool can_hold(const Geometry& geometry, double largest_ball);
 
-  /// Of surfaces that it can hold.
+  /// Tables of the surfaces; can_hold must be true for all.
   explicit BruteForceTables(const std::vector<Surface>& surfaces);
   /// Valid as long as this.
   BruteForceView view() const;
   /// Number of the surface's first primitive.
   std::uint32_t first_primitive(std::uint32_t surface) const { return first_primitive_[surface]; }
-  /// Which triangle of its mesh each primitive is; 0 of what is none.
+  /// Triangle index of each primitive in its mesh; 0 for other primitives.
   const std::uint32_t* triangles() const { return triangle_of_primitive_.data(); }
 
  private:

@@ -1,4 +1,4 @@
-// What rays meet, as the kernels see it: a few primitives in one list, or a tracer that has them all.
+// The geometry that rays meet, as the kernels see it: a few primitives in one list, or a tracer with all of them.
 #pragma once
 
 #include <cstdint>
@@ -9,8 +9,8 @@ namespace photonproof::inline renderer_rays {
 
 class Tracer;
 
-/// A flat primitive: the plane n.x = k (n unit, on the side that counts as front) and, for a point x of it,
-/// u = edge_u . x + u0, v likewise, which run from 0 to 1 along the edges.
+/// A flat primitive on the plane n.x = k, with n unit, on the side that counts as front. A point x of it has
+/// u = edge_u . x + u0 and v likewise, which run from 0 to 1 along the edges.
 struct Plate {
   Vec3f normal;
   float k = 0;

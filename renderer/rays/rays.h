@@ -19,8 +19,8 @@ void fill_block(RayBlock& block, const Vec3<F>& origin, const Vec3<F>& direction
   block.active = to_bits(active);
 }
 
-/// Closest hits of the active lanes; directions are unit. `from`: as brute_force.h has it, with a tracer the light that
-/// they leave (ray.h). `coherent`: neighbours in the pack go the same way.
+/// Closest hits of the active lanes; directions are unit. `from` is as in brute_force_intersector.h; with a tracer it
+/// is the light that the rays leave (ray.h). `coherent`: neighbours in the pack have similar directions.
 template <class F>
 SurfaceHit<F> closest_hit(const RayScene& scene, const Vec3<F>& origin, const Vec3<F>& direction, const UInt<F>& from,
                           const Mask<F>& active, bool coherent) {
@@ -51,7 +51,7 @@ SurfaceHit<F> closest_hit(const RayScene& scene, const Vec3<F>& origin, const Ve
   return hit;
 }
 
-/// Where something lies between `origin` and origin + segment, of the active lanes.
+/// Whether a surface lies between `origin` and origin + segment, for the active lanes.
 template <class F>
 Mask<F> occluded(const RayScene& scene, const Vec3<F>& origin, const Vec3<F>& segment, const UInt<F>& from,
                  const UInt<F>& target, const Mask<F>& active) {

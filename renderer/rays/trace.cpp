@@ -39,7 +39,7 @@ struct SurfacePoint {
   std::uint32_t primitive = 0;
 };
 
-/// As a shape is asked, which may be this light's face.
+/// The ray as passed to a shape, which may be this light's face.
 ShapeRay shape_ray(const RTCRay& ray, std::uint32_t light = no_index) {
   const bool on_light = (ray.id & ~light_at_end) == light, at_end = (ray.id & light_at_end) != 0;
   return {{ray.org_x, ray.org_y, ray.org_z},
@@ -215,8 +215,8 @@ struct Tracer::Impl {
   void attach_quads();
   template <class Shape>
   void attach_shapes(ShapeTable<Shape>& table, unsigned id);
-  /// Its long faces, which are in a table of their own, and those without area, which no ray meets and whose boxes each
-  /// ray would be tested against.
+  /// Its long faces, which are in a table of their own, and those without area. Rays never meet the latter, but would
+  /// be tested against their boxes.
   static std::vector<std::size_t> faces_to_leave_out(const Mesh& mesh, const std::vector<LongFace>* long_faces);
   void attach_mesh(RTCScene to, const Mesh& mesh, const std::vector<LongFace>* long_faces, unsigned id) const;
   void build_group(const MeshGroup& group);
@@ -300,7 +300,7 @@ void Tracer::Impl::attach_mesh(RTCScene to, const Mesh& mesh, const std::vector<
         rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, stride, mesh.triangle_count()));
     if (triangles == nullptr) fail(rtcGetDeviceError(device), "allocating triangles");
     std::copy(mesh.source->triangles.begin(), mesh.source->triangles.end(), triangles);
-    // Embree builds no boxes of faces whose vertices it does not find.
+    // Embree builds no boxes for faces with invalid vertex indices.
     for (const std::size_t face : left_out) triangles[face].fill(std::numeric_limits<std::uint32_t>::max());
   }
   attach(to, geometry, id);

@@ -15,12 +15,12 @@ struct alignas(64) RayBlock {
   static constexpr std::size_t width = 16;
   float origin_x[width], origin_y[width], origin_z[width];
   float direction_x[width], direction_y[width], direction_z[width];
-  std::uint32_t light[width];  ///< the face that it leaves or ends on (ray.h), or anything without these bits
+  std::uint32_t light[width];  ///< the face that the ray leaves or ends on (ray.h), or anything without these bits
   std::uint32_t active;        ///< bit i: lane i has a ray
 };
 
-/// Where they end; `surface` is no_index on a miss, and then the rest is undefined. Points are exact to rounding: they
-/// come from the primitive's vertices, not from the ray. Normals are unit.
+/// Ends of the rays; `surface` is no_index on a miss, and then the rest is undefined. Points are exact to rounding:
+/// they come from the primitive's vertices, not from the ray. Normals are unit.
 struct alignas(64) HitBlock {
   float p_x[RayBlock::width], p_y[RayBlock::width], p_z[RayBlock::width];
   float normal_x[RayBlock::width], normal_y[RayBlock::width], normal_z[RayBlock::width];
@@ -28,8 +28,8 @@ struct alignas(64) HitBlock {
   std::uint32_t primitive[RayBlock::width];  ///< the triangle of a mesh, else 0
 };
 
-/// Immutable once built; safe for any number of threads. Quads and triangles are Embree's (ROBUST), other shapes
-/// and long faces user geometry solved in double precision; planes are tested apart.
+/// Immutable once built; safe for any number of threads. Quads and triangles are Embree's (ROBUST); other shapes and
+/// long faces are user geometry, solved in double precision. Planes are tested separately.
 class Tracer {
  public:
   /// Throws std::runtime_error with Embree's message when it cannot build. `surfaces` must outlive the tracer.
@@ -39,16 +39,16 @@ class Tracer {
   Tracer& operator=(const Tracer&) = delete;
 
   /// Closest surfaces, t >= 0. A ray with a non-finite component hits nothing. `coherent`: the rays are neighbours from
-  /// one point, which go through the BVH together; others go one by one, which measures faster (rays_bench.cpp).
+  /// one point and traverse the BVH together; others traverse it singly, which measures faster (rays_bench.cpp).
   void intersect(const RayBlock& rays, HitBlock& hits, bool coherent) const;
-  /// blocked[i] = 1 where anything lies on the segment from the origin to origin + direction, else 0.
+  /// blocked[i] = 1 where a surface lies on the segment from the origin to origin + direction, else 0.
   void occluded(const RayBlock& rays, std::uint32_t* blocked) const;
 
-  /// Bytes Embree holds, by its own account.
+  /// Bytes that Embree holds, as it reports them.
   std::size_t bvh_bytes() const;
 
-  /// rtcIntersect1 or rtcOccluded1 for every active lane, or rtcIntersect16 for a block, and nothing else: what the
-  /// benches compare with. Returns how many rays hit something.
+  /// Calls only rtcIntersect1 or rtcOccluded1 for every active lane, or rtcIntersect16 for a block: the baseline of the
+  /// benches. Returns the number of rays that hit something.
   std::size_t count_hits_alone(const std::vector<RayBlock>& rays, bool packets) const;
   std::size_t count_occluded_alone(const std::vector<RayBlock>& rays) const;
 

@@ -1,4 +1,4 @@
-// Surfaces sorted by what Embree has to be told of them.
+// Surfaces sorted by the form that Embree needs.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@
 
 namespace photonproof::inline renderer_rays {
 
-/// Shapes of one kind, each with the index of its surface and, of a light, the face as rays name it (ray.h).
+/// Shapes of one kind, each with the index of its surface. A light also has its face as rays name it (ray.h).
 template <class Shape>
 struct ShapeTable {
   std::vector<const Shape*> shapes;
@@ -37,9 +37,9 @@ struct PlacedGroup {
 
 struct TraceTables {
   ShapeTable<Quad> quads;
-  SolvedShapes<ShapeTables, LongFace> solved;  ///< what Embree does not know
+  SolvedShapes<ShapeTables, LongFace> solved;  ///< shapes that Embree does not have
   ShapeTable<Plane> planes;                    ///< tested one after the other: boxes around them would be of no use
-  ShapeTable<Mesh> meshes;                     ///< geometries of their own
+  ShapeTable<Mesh> meshes;                     ///< each its own geometry
   std::vector<const std::vector<LongFace>*> long_faces_of_mesh;  ///< null where there are none
   std::vector<MeshGroup> groups;
   std::vector<PlacedGroup> instances;

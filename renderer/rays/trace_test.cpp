@@ -1,5 +1,5 @@
-// Ray queries: exact answers, robustness far from the origin, hostile rays. A scene goes through the small scenes' own
-// kernel or through Embree, and both are held to the same.
+// Ray queries: exact answers, robustness far from the origin, hostile rays. Scenes go through the small scenes' own
+// kernel and through Embree, with the same requirements.
 
 #include "renderer/rays/trace.h"
 
@@ -131,7 +131,7 @@ struct RoundLight {
   double radius;
   bool inward;
 
-  /// Above (x, z), as single precision may have it: `off` steps of the radius nearer or farther.
+  /// Point above (x, z), rounded as in single precision: `off` steps of the radius nearer or farther.
   Vec3f point(double x, double z, double off) const {
     const double across = std::holds_alternative<Sphere>(geometry) ? x * x + z * z : z * z;
     const double rise = radius - std::sqrt(radius * radius - across);
@@ -166,7 +166,7 @@ TEST(tracer, rays_meet_nothing_of_the_light_that_they_leave_or_end_on_whatever_i
       named += occluded(tracer, below, end - below, light_face | light_at_end) ? 1 : 0;
       unnamed += occluded(tracer, below, end - below) ? 1 : 0;
       const Hit hit = intersect(tracer, end, normalize(below - end), light_face);
-      // What leaves the inside meets the other end of its chord.
+      // A ray that leaves the inside meets the other end of its chord.
       leaving += hit.valid() != area_light.inward || (hit.valid() && length(hit.p_world - end) < area_light.radius / 2)
                      ? 1
                      : 0;
@@ -251,8 +251,8 @@ TEST(tracer, an_empty_scene_is_all_misses) {
 
 constexpr std::size_t by_embree = 0, by_small_kernel = brute_force_limit;
 
-/// Where a scene stands in its file, and how far its shapes are from the middle of them all, which is the compiled
-/// scene's origin: single precision must bear the second, the first costs nothing.
+/// Place of a scene in its file, and distance of its shapes from their common middle. The compiled scene's origin is
+/// that middle: single precision must resolve the distance, the place costs nothing.
 struct Placement {
   double shift, from_middle;
 };
@@ -261,16 +261,16 @@ std::ostream& operator<<(std::ostream& out, const Placement& p) {
 }
 const Placement placements[] = {{0, 0}, {100, 0}, {1e4, 0}, {1e5, 0}, {0, 100}, {0, 1e4}, {0, 1e5}};
 
-/// Of `hits` on a wall of edge 2, how many may lie on an edge as far as single precision can tell, and so on either
-/// side of the next wall. Coordinates have a grain of 2^-23 times the distance from the middle; eight of them by each
-/// of four edges are a part 16 x grain of the wall. None where the scene is centred.
+/// Number of `hits` on a wall of edge 2 that may lie on an edge within single precision, and so on either side of the
+/// next wall. Coordinates have a grain of 2^-23 times the distance from the middle. Eight grains by each of four edges
+/// are a part 16 x grain of the wall. It is 0 where the scene is centred.
 std::int64_t hits_on_edges(const Placement& at, std::int64_t hits) {
   return static_cast<std::int64_t>(static_cast<double>(hits) * 16 * 0x1p-23 * std::max(1.0, at.from_middle));
 }
 
 Vec3d center_of(const Placement& at) { return Vec3d(1, -1, 1) * at.shift + Vec3d(-1, 1, 1) * at.from_middle; }
 
-/// The far end of a scene whose middle is the origin.
+/// A shape at the far end, which puts the scene's middle at the origin.
 void add_counterweight(SceneDescription& scene, const Placement& at, BsdfIndex bsdf) {
   if (at.from_middle == 0) return;
   test::add_shape(scene, SphereDescription{}, Transform::translate(Vec3d(1, -1, -1) * at.from_middle), bsdf);
@@ -405,8 +405,8 @@ SceneDescription white_facets(const Placement& at) {
   return scene;
 }
 
-/// Camera paths of `edges` edges in a closed scene that absorbs nothing: how many ended before, that is leaked, met the
-/// surface they left from behind, or lost what they carried.
+/// Camera paths of `edges` edges in a closed scene without absorption: the number that ended early. They leaked, met
+/// the surface they left from behind, or lost their throughput.
 std::int64_t camera_paths_lost(const Kernels& kernels, const Scene& scene, int edges) {
   PathTask task;
   task.scene = &scene.view();

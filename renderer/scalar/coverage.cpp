@@ -8,7 +8,7 @@ namespace photonproof::inline renderer_scalar {
 namespace {
 
 constexpr Stream coverage_stream{22};
-constexpr std::uint32_t most_surfaces = 256;  ///< that a ray passes; behind so many it counts as one that met a shape
+constexpr std::uint32_t most_surfaces = 256;  ///< passed by a ray; behind that many it counts as having met a shape
 
 namespace coverage_dimension {
 constexpr std::uint32_t in_pixel = 0, lens = 1, first_hit = 2, per_hit = 3;

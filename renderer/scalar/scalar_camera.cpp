@@ -6,7 +6,7 @@
 namespace photonproof::inline renderer_scalar {
 namespace {
 
-/// Drawn from the reconstruction filter, or on the k x k grid that was asked for.
+/// Sampled from the reconstruction filter, or on the requested k x k grid.
 Vec2<float> place_in_pixel(const CameraView& camera, int x, int y, const PathSampler& draws, int grid,
                            std::uint32_t dimension) {
   if (grid > 0) {

@@ -2,9 +2,9 @@
 
 namespace photonproof::inline renderer_scalar {
 
-ScalarLights::ScalarLights(const SceneInterface& world)
-    : scene_interface_(world), lights_(world.scene().scene_lights()), surface_(world.scene().lights.size(), no_index) {
-  const std::vector<Surface>& surfaces = world.scene().surfaces;
+ScalarLights::ScalarLights(const SceneInterface& scene)
+    : scene_interface_(scene), lights_(scene.scene().scene_lights()), surface_(scene.scene().lights.size(), no_index) {
+  const std::vector<Surface>& surfaces = scene.scene().surfaces;
   for (std::uint32_t i = 0; i < surfaces.size(); ++i)
     if (surfaces[i].light != no_index) surface_[surfaces[i].light] = i;
 }

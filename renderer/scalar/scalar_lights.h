@@ -1,4 +1,4 @@
-// Where the lights of scene_lights.h are in the world that scalar integrators know.
+// The lights of scene_lights.h in the scene of the scalar integrators.
 #pragma once
 
 #include "renderer/light_sampling/scene_lights.h"
@@ -8,7 +8,7 @@ namespace photonproof::inline renderer_scalar {
 
 class ScalarLights {
  public:
-  explicit ScalarLights(const SceneInterface& world);
+  explicit ScalarLights(const SceneInterface& scene);
 
   const SceneLights* operator->() const { return &lights_; }
 

@@ -8,7 +8,7 @@ namespace photonproof::inline renderer_scalar {
 namespace {
 
 constexpr std::int64_t passes_wanted = 32;
-constexpr std::int64_t most_paths = std::int64_t{1} << 21;  ///< of a pass: what a minute is enough for
+constexpr std::int64_t most_paths = std::int64_t{1} << 21;  ///< of a pass, which takes a minute at most
 constexpr int tile_size = 16;
 
 PathSampler draws_of(std::uint32_t seed, SamplerKind kind, int x, int y, std::int64_t sample) {

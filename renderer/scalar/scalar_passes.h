@@ -1,4 +1,4 @@
-// The frame around scalar integrators: their units of work in a RenderLoop, their sums to the film.
+// The frame around scalar integrators: their units of work in a RenderLoop, and their sums in the film.
 #pragma once
 
 #include <functional>
@@ -11,25 +11,25 @@
 
 namespace photonproof::inline renderer_scalar {
 
-/// What the paths of one unit of work count and collect.
+/// Ray counts and splats of one unit of work.
 struct ScalarWork {
   RayCounts rays;
   Splats splats;
 };
 
-/// Radiance of one camera sample of pixel (x, y); `draws` are the sample's own.
+/// Radiance of one camera sample of pixel (x, y); `draws` is the sample's own sampler.
 using PixelEstimate = std::function<Rgb(int x, int y, const PathSampler& draws, ScalarWork& work)>;
 
-/// Renders with one camera sample after the other. Samples are independent estimates, and so the film's variances
-/// honest. For estimators without splats.
+/// Renders one camera sample after the other. Samples are independent estimates, so the film's variances are unbiased.
+/// For estimators without splats.
 void render_samples(const RenderJob& job, Stream stream, const char* phase, Film& film, RenderStats& stats,
                     const PixelEstimate& estimate);
 
-/// Renders with as many paths as camera samples, each of which may give its pixel radiance and splat anywhere. What
-/// a pixel gets in one pass is one estimate of the film's: splats of one pass share their paths, passes share nothing,
-/// so that the spread between passes is an honest variance. (Passes of the Sobol sampler are stratified against each
-/// other, and their variance then is an upper bound.) There are about `passes_wanted` passes where the budget says how
-/// many samples there will be. `make_estimate` is called for every tile; what it makes may own scratch memory.
+/// Renders with as many paths as camera samples, each of which may add radiance to its pixel and splat anywhere. The
+/// sum of a pixel in one pass is one estimate for the film. Splats of one pass share their paths and passes share
+/// nothing, so the spread between passes is an unbiased variance. (The Sobol sampler stratifies passes against each
+/// other; their variance is then an upper bound.) There are about `passes_wanted` passes where the budget fixes the
+/// number of samples. `make_estimate` is called for every tile; its result may own scratch memory.
 void render_splats(const Scene& scene, const RenderJob& job, Stream stream, const char* phase, Film& film,
                    RenderStats& stats, const std::function<PixelEstimate()>& make_estimate);
 

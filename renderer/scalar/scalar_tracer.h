@@ -1,4 +1,4 @@
-// What every tracer of one path at a time has at hand. How it makes its paths is its own.
+// Common parts of tracers of one path at a time. Each makes its paths in its own way.
 #pragma once
 
 #include "renderer/scalar/scalar_camera.h"
@@ -9,7 +9,7 @@ namespace photonproof::inline renderer_scalar {
 
 class ScalarTracer {
  protected:
-  /// `rays` as ScalarCamera has them.
+  /// `rays` as in ScalarCamera.
   ScalarTracer(const Scene& scene, const PathLimits& limits, std::int64_t rays)
       : scene_interface_(scene),
         lights_(scene_interface_),
@@ -21,29 +21,29 @@ class ScalarTracer {
   ScalarTracer& operator=(const ScalarTracer&) = delete;
   ~ScalarTracer() = default;
 
-  /// Whether paths may have so many edges.
+  /// Whether paths may have this many edges.
   bool within(std::uint32_t edges) const {
     return limits_.max_depth < 0 || edges <= static_cast<std::uint32_t>(limits_.max_depth);
   }
 
-  /// A light path's. It begins at what is ahead, unless a medium without end takes light on the way.
+  /// The first ray of a light path. It begins at the point ahead, unless an endless medium attenuates light on the way.
   Ray first_ray(const LightStart& start) const {
     const bool ahead = start.is_ahead > 0 && outer_ == no_index;
     return scene_interface_.leave(ahead ? SegmentEnd{start.ahead} : lights_.end(start), start.direction);
   }
 
-  /// Whether what the camera's ray met is a light that is hidden from it.
+  /// Whether the camera's ray met a light that is hidden from it.
   bool is_hidden(const Interaction& at) const { return limits_.hide_emitters && at.light != no_index; }
-  /// As `travel`, from the camera: behind hidden lights the ray goes on, and it ends at the far plane.
+  /// As `travel`, from the camera: the ray continues behind hidden lights, and ends at the far plane.
   bool look(Ray& ray, Surroundings& around, float u_layer, Rgb& throughput, Interaction& at) const {
     while (travel(scene_interface_, ray, around, u_layer, TransportMode::radiance, throughput, at)) {
       if (!is_hidden(at)) return !camera_.beyond_far_plane(at.p);
-      if (scene_interface_.has_media_or_bodies()) around.cross(scene_interface_, at, ray.direction);
+      if (scene_interface_.has_media_or_interiors()) around.cross(scene_interface_, at, ray.direction);
       ray = scene_interface_.pass(ray, at, ray.direction);
     }
     return false;
   }
-  /// What arrives at the camera: as `transmittance`, through lights that are hidden from it.
+  /// Light that arrives at the camera: as `transmittance`, through lights that are hidden from it.
   Rgb arriving_at_camera(const SegmentEnd& from, const SegmentEnd& camera, const Surroundings& around,
                          const PathSampler& draws, std::uint32_t dimension) const {
     return transmittance(scene_interface_, from, camera, around, {.lights = limits_.hide_emitters}, draws, dimension);
@@ -54,7 +54,7 @@ class ScalarTracer {
   ScalarCamera camera_;
   PathLimits limits_;
   std::uint32_t outer_;         ///< outer_medium
-  Surroundings around_camera_;  ///< nothing, where the scene has no media or bodies
+  Surroundings around_camera_;  ///< empty where the scene has no media or interiors
 };
 
 }  // namespace photonproof::inline renderer_scalar

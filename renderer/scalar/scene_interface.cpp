@@ -28,7 +28,7 @@ SceneInterface::SceneInterface(const Scene& scene)
     : scene_(scene),
       far_away_(4 * std::max(scene.scene_lights().ball().radius,
                              length(scene.view().camera.origin - scene.scene_lights().ball().center))),
-      has_media_or_bodies_(!scene.media.media.empty() || scene.media.any_priority),
+      has_media_or_interiors_(!scene.media.media.empty() || scene.media.any_priority),
       has_null_surfaces_(std::any_of(scene.bsdfs.records.begin(), scene.bsdfs.records.end(), [](const Bsdf& bsdf) {
         return std::visit([](const auto& b) { return goes_straight<std::decay_t<decltype(b)>>; }, bsdf);
       })) {}

@@ -12,7 +12,7 @@ ClearWays find_clear_ways(const SceneParts& scene) {
     if (const auto* plane = std::get_if<Plane>(&surface.geometry))
       ways.walls.push_back({Vec3f(plane->point), Vec3f(plane->normal)});
 
-  // Boxes around the first so many surfaces, and around those from some number on.
+  // Boxes around the first k surfaces, and around those from number k on.
   std::vector<ShapeBox> before(count + 1), from = scene.boxes;
   from.emplace_back();
   for (std::size_t i = 0; i < count; ++i) {

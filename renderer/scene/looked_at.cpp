@@ -11,7 +11,7 @@ namespace photonproof::inline renderer_scene {
 
 namespace {
 
-/// Behind lights that are hidden from the camera.
+/// First hit behind lights that are hidden from the camera.
 Hit first_seen(const Scene& scene, Vec3f origin, const Vec3f& direction) {
   constexpr int most_lights = 16;
   const auto is_hidden = [&](const Hit& hit) {
@@ -25,7 +25,7 @@ Hit first_seen(const Scene& scene, Vec3f origin, const Vec3f& direction) {
   return hit;
 }
 
-/// By rows; NaN where the ray meets nothing.
+/// Points row by row; NaN where the ray meets nothing.
 std::vector<Vec3f> lattice_of_hits(const Scene& scene, int lattice) {
   const CameraView& camera = scene.view().camera;
   const auto share = [lattice](int i) { return (static_cast<float>(i) + 0.5f) / static_cast<float>(lattice); };

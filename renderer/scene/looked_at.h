@@ -1,4 +1,4 @@
-// What the camera sees, roughly: balls around where some of its rays end. Light paths are guided by them.
+// An approximation of the visible scene: balls around the ends of some camera rays. Light paths are guided by them.
 #pragma once
 
 #include <vector>
@@ -8,12 +8,11 @@
 
 namespace photonproof::inline renderer_scene {
 
-/// Where the rays through the middles of lattice x lattice cells of the image first meet a surface; those that miss are
-/// left out.
+/// The points where rays through the middles of lattice x lattice cells of the image first meet a surface; rays that
+/// miss are left out.
 std::vector<Vec3f> points_looked_at(const Scene& scene, int lattice);
 
-/// Around the first surfaces that a lattice of camera rays meets, each as large as its cell of the
-/// image is there.
+/// Balls around the first surfaces that a lattice of camera rays meets, each as large as its cell of the image there.
 std::vector<ProjectionTarget> looked_at(const Scene& scene);
 
 }  // namespace photonproof::inline renderer_scene

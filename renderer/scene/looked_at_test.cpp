@@ -23,7 +23,7 @@ TEST(looked_at, balls_hold_what_is_seen_straight_and_at_a_slant) {
                          [&](const ProjectionTarget& ball) { return length(p - ball.center) <= ball.radius; });
     });
     EXPECT_GT(static_cast<double>(held), 0.95 * static_cast<double>(points.size())) << height;
-    // And little else: the widest is no larger than what is seen.
+    // And little else: the widest ball is no larger than the visible part.
     Vec3f low = points[0], high = points[0];
     for (const Vec3f& p : points) {
       low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};

@@ -1,6 +1,6 @@
-// Normal and bump maps by numbers that share no code with them (harness/oracles/mapped_normals.py): which way red,
-// green and slopes tilt the normal, what is mirrored to face the viewer, what bumps keep of the light. An error of 0.1
-// % in any of them is seen, and every axis or sign that is swapped.
+// Normal and bump maps compared with numbers that share no code with them (harness/oracles/mapped_normals.py). The
+// tests cover how red, green and slopes tilt the normal, mirroring towards the viewer, and shadowing by bumps. They
+// detect an error of 0.1 % in any of them, and every swapped axis or sign.
 
 #include <gtest/gtest.h>
 
@@ -122,7 +122,7 @@ SceneDescription square(Map map, MappedNormalsDescription options, const Transfo
   return d;
 }
 
-/// Of the middle of the square, by a path that comes from the camera and by one that comes from the light.
+/// Reflection at the middle of the square, by a path from the camera and by one from the light.
 struct Reflected {
   double by_camera, by_light;
 };

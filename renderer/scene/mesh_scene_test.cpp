@@ -75,7 +75,7 @@ TEST(mesh_scene, the_normal_follows_the_winding_and_flip_normals) {
   }
 }
 
-/// A room with a light of two triangles whose radiance is a checkerboard, before them one without an area if asked for.
+/// A room with a light of two triangles whose radiance is a checkerboard, optionally preceded by one without an area.
 SceneDescription with_textured_light(bool with_flat_triangle) {
   SceneDescription scene = test::room(24, false);
   scene.textures.push_back({{}, "", CheckerboardDescription{RgbD(12), RgbD{1, 2, 6}, Transform::scale({3, 5, 1})}});
@@ -85,7 +85,7 @@ SceneDescription with_textured_light(bool with_flat_triangle) {
   ShapeDescription& shape = scene.shapes.back();
   shape.geometry = MeshDescription{MeshDescription::Format::ply, "lamp.ply", true, false, light};
   shape.radiance = TextureIndex{0};
-  // Seen by the camera, too: what it meets has to know which triangle it is.
+  // Seen by the camera, too: its hit must identify the triangle.
   shape.to_world =
       Transform::translate({0.3, 0.2, -0.5}) * Transform::rotate({0, 1, 0}, 20) * Transform::scale(Vec3d(0.4));
   return scene;
@@ -119,7 +119,7 @@ TEST(mesh_scene, mirrored_is_the_image_flipped_by_its_own_transform_and_by_insta
     for (const bool own_normals : {false, true}) {
       const Image plain = test::render(wedge_scene(face_normals, own_normals, 1), "whitted", job).image.mean;
       EXPECT_GT(test::image_mean(plain), 0.004) << "inside out it would be black";
-      // By the shape's transform, by the instance's, and by both, which is no mirroring.
+      // Mirrored by the shape's transform, by the instance's, and by both, which is no mirroring.
       for (const auto& [inner, outer] : {std::pair{mirror, Transform()}, {Transform(), mirror}, {mirror, mirror}}) {
         const bool flipped = (inner * outer).determinant() < 0;
         for (const bool grouped : {false, true}) {

@@ -71,7 +71,7 @@ void NearestOnMesh::add(NearestPoint& nearest, const Transform& to_world,
 
 void NearestOnMesh::add_to(NearestPoint& nearest, const Transform& to_world) const {
   const Vec3d x = to_world.vector({1, 0, 0}), y = to_world.vector({0, 1, 0}), z = to_world.vector({0, 0, 1});
-  // Along the way to its middle no point of a box is nearer than this.
+  // Along the direction to its middle no point of a box is nearer than this.
   const auto at_least = [&](const Run& run) {
     const Vec3d way = to_world.point(run.middle) - nearest.to;
     const double reach =

@@ -1,4 +1,4 @@
-// The nearest of points, of the points of a triangle, and of a mesh.
+// The nearest of several points, of the points of a triangle, and of a mesh.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,7 @@
 
 namespace photonproof::inline renderer_scene {
 
-/// Of all points that are added the one nearest to `to`, which has to outlive this; NaNs are left out.
+/// The nearest to `to` of all points that are added; `to` must outlive this. NaNs are left out.
 struct NearestPoint {
   const Vec3d& to;
   Vec3d point{0.0};
@@ -19,21 +19,21 @@ struct NearestPoint {
   void add(const Vec3d& p);
 };
 
-/// The point a + s u + t v, s, t >= 0, s + t <= 1 nearest to p; of a triangle without area, a point of it.
+/// The point a + s u + t v with s, t >= 0, s + t <= 1 nearest to p; for a triangle without area, a point of it.
 Vec3d nearest_on_triangle(const Vec3d& p, const Vec3d& a, const Vec3d& u, const Vec3d& v);
-/// The same of s, t <= 1.
+/// The same with s, t <= 1.
 Vec3d nearest_on_parallelogram(const Vec3d& p, const Vec3d& a, const Vec3d& u, const Vec3d& v);
 
-/// Finds the point of a mesh nearest to another without a look at most of its triangles, once for each place that a
-/// scene has copies of the mesh at. Vertices of a mesh with more than 4096 triangles stand for them.
+/// Finds the point of a mesh nearest to another without visiting most of its triangles, once for each placed copy of
+/// the mesh in a scene. In a mesh with more than 4096 triangles, vertices stand for them.
 class NearestOnMesh {
  public:
-  /// The mesh has to outlive this.
+  /// The mesh must outlive this.
   explicit NearestOnMesh(const TriangleMesh& mesh);
   void add_to(NearestPoint& nearest, const Transform& to_world) const;
 
  private:
-  /// Triangles that follow one another, and the box around them.
+  /// Consecutive triangles, and the box around them.
   struct Run {
     std::size_t begin, end;
     Vec3d middle, half;

@@ -14,7 +14,7 @@ ProjectionTarget ball_around(const Quad& quad) {
   return {quad.corner + half_diagonal, reach};
 }
 
-/// By the box around it, of what there is no smaller ball for.
+/// Ball around the box of a shape for which there is no smaller ball.
 template <class Shape>
 ProjectionTarget ball_around(const Shape& shape) {
   return ball_around_box(box_around(shape));
@@ -29,7 +29,7 @@ ProjectionTarget ball_around(const Cylinder& cylinder) {
           static_cast<float>(std::hypot(0.5 * cylinder.length, cylinder.radius))};
 }
 
-/// As good as everywhere; its cone is the whole sphere.
+/// Practically everywhere; its cone is the whole sphere.
 ProjectionTarget ball_around(const Plane& plane) { return {Vec3f(plane.point), 1e18f}; }
 
 /// The placement's largest stretch is at most the root of the sum of its axes' squares.

@@ -1,5 +1,5 @@
-// Where caustics begin: balls around the specular surfaces, which are all that are not Lambertian. Photons of the
-// caustic map are sent into their cones only (Jensen 2001, section 5.2.1, "projection maps", in closed form).
+// Balls around the specular surfaces, where caustics begin. All surfaces that are not Lambertian count as specular. The
+// caustic map's photons go only into their cones (Jensen 2001, section 5.2.1, "projection maps", in closed form).
 #pragma once
 
 #include <functional>
@@ -16,7 +16,7 @@ inline constexpr std::size_t most_projection_targets = 16;
 /// Nothing around an empty box.
 ProjectionTarget ball_around_box(const ShapeBox& box);
 
-/// One ball for each surface that is specular, which it holds.
+/// One ball for each specular surface, which it encloses.
 std::vector<ProjectionTarget> projection_targets(const std::vector<Surface>& surfaces,
                                                  const std::function<bool(const Surface&)>& is_specular);
 

@@ -11,7 +11,7 @@ struct CameraScaler {
     camera.aperture_radius *= factor;
     camera.focus_distance *= factor;
   }
-  /// Its near plane and its width are scaled by to_world, the distance between the planes is not.
+  /// Scales only the distance between the planes: to_world scales the near plane and the width.
   void operator()(OrthographicDescription& camera) const {
     camera.far_clip = camera.near_clip + (camera.far_clip - camera.near_clip) * factor;
   }

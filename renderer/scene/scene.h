@@ -1,6 +1,6 @@
 // The compiled scene: flat tables ready for tracing, made once and immutable. Its origin is the middle of the shapes,
-// so that coordinates are small and rays precise wherever the file puts things, and its unit of length one that single
-// precision can square and cube.
+// so that coordinates are small and rays precise for any place in the file. In its unit of length single precision can
+// square and cube all lengths.
 #pragma once
 
 #include <memory>
@@ -23,7 +23,7 @@ class BruteForceTables;
 
 namespace photonproof::inline renderer_scene {
 
-/// The parts, and what it takes to send rays among them.
+/// The parts with everything needed to trace rays among them.
 class Scene : public SceneParts {
  public:
   /// `choices` are a plan's for these parts.
@@ -44,7 +44,7 @@ class Scene : public SceneParts {
  private:
   SceneView view_of(const SceneChoices& choices) const;
 
-  // Each is made of those before it.
+  // Each is made from those before it.
   const std::unique_ptr<const BruteForceTables> small_;  ///< null where rays go through the tracer
   const std::unique_ptr<const Tracer> tracer_;           ///< null in a small scene
   const std::vector<SurfaceWords> surface_words_;

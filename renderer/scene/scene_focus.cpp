@@ -15,7 +15,8 @@
 namespace photonproof::inline renderer_scene {
 namespace {
 
-/// Of a local square, disc or heightfield; of a box with a third axis. A stretched one's is not exactly the nearest.
+/// Adds a point of a local square, disc or heightfield, or of a box with a third axis. It is not exactly the nearest
+/// one where to_world stretches.
 void add_box(NearestPoint& nearest, const Transform& to_world, bool solid) {
   const auto clamped = [](double x) { return std::clamp(x, -1.0, 1.0); };
   Vec3d local{0, 0, 0};
@@ -35,7 +36,7 @@ void add_box(NearestPoint& nearest, const Transform& to_world, bool solid) {
   nearest.add(nearest_on_parallelogram(nearest.to, corner, u, v));
 }
 
-/// Looks for the nearest points of shapes; what it takes of a mesh is worked out once for all its copies.
+/// Finds the nearest points of shapes; a mesh is prepared once for all its copies.
 class Nearness {
  public:
   explicit Nearness(const SceneDescription& scene) : scene_(scene) {}
@@ -62,7 +63,7 @@ class Nearness {
   std::map<const TriangleMesh*, NearestOnMesh> meshes_;
 };
 
-/// Around what the camera sees: a cone, or of an orthographic one a cylinder.
+/// Region that encloses the camera's view: a cone, or a cylinder for an orthographic camera.
 struct Aov {
   Vec3d origin, axis;
   double near = 0, half_angle = 0, half_width = 0;  ///< nothing is seen nearer than `near`

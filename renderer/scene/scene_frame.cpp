@@ -12,22 +12,22 @@
 namespace photonproof::inline renderer_scene {
 namespace {
 
-/// The mean of the two middle ones of an even number.
+/// Median; for an even number the mean of the two middle values.
 double median(std::vector<double> values) {
   const std::size_t middle = values.size() / 2;
   std::sort(values.begin(), values.end());
   return values.size() % 2 == 1 ? values[middle] : 0.5 * (values[middle - 1] + values[middle]);
 }
 
-/// The floor: this part of the reach. Near the origin coordinates are small, but what they came from is not.
+/// The floor is the reach over this. Near the origin coordinates are small, but they result from larger ones.
 constexpr double parts_of_reach = 2;
-/// Beyond so many times the size of what is looked at, coordinates and offsets cost it precision: there, four ulp are a
+/// Beyond this multiple of the focus's size, coordinates and offsets cost it precision: there, four ulp are a
 /// ten-thousandth of it.
 constexpr double unlike = 256;
-/// The floor is no less than this part of what is looked at, where offsets of so many ulp do not show.
+/// The floor is no less than this part of the focus, where offsets by ulps of it do not show.
 constexpr double part_of_focus = 0x1p-4;
-/// Embree meets a face to some 2^-24 of its length, rays leave by 2^-21 of the floor: faces longer than this many
-/// floors would shade themselves (at 64 some do, sizes_test.cpp).
+/// Embree's hit on a face is exact to about 2^-24 of its length, and rays leave by 2^-21 of the floor. So faces longer
+/// than this many floors would shade themselves (at 64 some do, sizes_test.cpp).
 constexpr double long_in_floors = 16;
 
 SceneFrame frame_of_middles(const SceneDescription& description) {
@@ -105,7 +105,7 @@ SceneFrame frame_of_focus(const SceneDescription& description) {
     // Whole floats, so that adding it to what is near it loses nothing that matters.
     const Vec3d origin(Vec3f(focus->point));
     if (is_finite(origin)) frame.moved = -origin;
-    // Not a part of the focus alone, since faces go far beyond it.
+    // Not a part of the focus alone, since faces extend far beyond it.
     frame.coordinate_floor = std::min(frame.coordinate_floor, static_cast<float>(16 * focus->size));
   }
   frame.coordinate_floor = std::max(frame.coordinate_floor, static_cast<float>(part_of_focus * focus->size));

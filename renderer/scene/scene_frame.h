@@ -1,4 +1,4 @@
-// Where the compiled scene puts its origin, since single precision is finest around it.
+// The place of the compiled scene's origin, around which single precision is finest.
 #pragma once
 
 #include <limits>
@@ -9,11 +9,11 @@
 
 namespace photonproof::inline renderer_scene {
 
-/// Around the shape in the world of the description, not always tightly; not usable if it has no end, or is an
-/// instance.
+/// Bounding box of the shape in the description's world, not always tight. It is not usable for endless shapes and for
+/// instances.
 Extent extent_of(const ShapeDescription& shape);
 
-/// The same of instances, too, with the boxes of all groups worked out once.
+/// The same for instances, too, with the boxes of all groups computed once.
 class ShapeExtents {
  public:
   explicit ShapeExtents(const SceneDescription& description);
@@ -23,25 +23,25 @@ class ShapeExtents {
   std::vector<Extent> groups_;  ///< in their own coordinates
 };
 
-/// Sizes up to this and down to its inverse are left alone.
+/// Sizes from the inverse of this up to this are not rescaled.
 inline constexpr double ordinary_size = 0x1p22;
 /// The greatest power of two that is not above x > 0.
 double power_of_two_below(double x);
 
-/// How the compiled scene's coordinates come from the description's: `scale` first, then `moved`.
+/// Maps the description's coordinates to the compiled scene's: first `scale`, then `moved`.
 struct SceneFrame {
-  double scale = 1;            ///< a power of two, so that it rounds nothing
-  Vec3d moved{0.0};            ///< added to the scaled coordinates
-  float coordinate_floor = 1;  ///< least magnitude of coordinates that ray offsets reckon with
+  double scale = 1;            ///< A power of two, so that it causes no rounding.
+  Vec3d moved{0.0};            ///< Added to the scaled coordinates.
+  float coordinate_floor = 1;  ///< Least magnitude of coordinates that ray offsets assume.
   /// Faces with edges above this, scaled, need double precision: rays leave them by less than single precision's error.
   double long_edge = std::numeric_limits<double>::infinity();
 };
 
-/// The origin is the median of the middles of the shapes that have one, axis by axis, the floor, half of the
-/// median reach from there, for points near the origin, which still come out of arithmetic with the scene's
-/// coordinates. Where what the camera looks at (scene_focus.h) is thousands of times smaller than that or as far away,
-/// both are the focus's: one shape far away, or one so large that its middle is, does not cost the others their
-/// precision. The scale is 1 unless the focus is smaller than 2^-22 or larger than 2^22; then it makes it about 1.
+/// The origin is, per axis, the median of the middles of shapes that have one. The floor is half of the median reach
+/// from there: points near the origin are still computed from the scene's coordinates. Where the focus (scene_focus.h)
+/// is thousands of times smaller than that or as far away, both are the focus's. So one shape far away, or with a
+/// middle far away, does not cost the others their precision. The scale is 1 for a focus between 2^-22 and 2^22;
+/// otherwise it makes the focus about 1.
 SceneFrame scene_frame(const SceneDescription& description);
 
 }  // namespace photonproof::inline renderer_scene

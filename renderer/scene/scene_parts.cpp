@@ -11,14 +11,14 @@
 namespace photonproof::inline renderer_scene {
 namespace {
 
-/// What lights look textures up with; they share their owner.
+/// The function by which lights evaluate textures; it shares ownership of them.
 TextureLookup texture_lookup(const std::shared_ptr<const Textures>& textures) {
   return [textures](TextureIndex texture) -> LightTexture {
     return [textures, texture](const Vec2<float>& uv) { return textures->colour(texture.value, uv); };
   };
 }
 
-/// The lights of surfaces that emit; the surfaces are told which they are.
+/// The lights of surfaces that emit; their indices are stored in the surfaces.
 std::vector<Light> surface_lights(const SceneDescription& description, const Vec3d& moved, const TextureLookup& texture,
                                   SceneShapes& shapes) {
   std::vector<Light> lights;

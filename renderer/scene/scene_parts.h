@@ -1,5 +1,5 @@
-// What a scene description compiles to before anything is decided about it or built to trace it: plans are made from
-// these tables, and a Scene has them.
+// The tables to which a scene description compiles before a plan exists or anything is built to trace it. Plans are
+// made from these tables, and a Scene contains them.
 #pragma once
 
 #include <cstdint>
@@ -23,7 +23,7 @@ struct SceneParts {
   SceneParts(const SceneDescription& description, int width, int height);
 
   int width, height;
-  SceneFrame frame;  ///< how coordinates come from the description's
+  SceneFrame frame;  ///< maps the description's coordinates
   ReconstructionFilter filter;
   bool sample_border;
   CameraView camera;
@@ -31,20 +31,20 @@ struct SceneParts {
   SceneMedia media;
   BsdfTable bsdfs;
   std::vector<Surface> surfaces;
-  std::vector<ShapeBox> boxes;       ///< around each surface; empty around infinite ones
-  std::vector<std::size_t> cubes;    ///< the first of the six surfaces of each
-  std::vector<AffineMap> uv_frames;  ///< by Surface::uv_frame
-  std::size_t primitives = 0;        ///< of all shapes; those of a shape group count once, and each instance as one
-  bool simple_primitives = true;     ///< parallelograms, triangles and spheres only: what the packed kernel knows
+  std::vector<ShapeBox> boxes;       ///< Around each surface; empty around infinite ones.
+  std::vector<std::size_t> cubes;    ///< The first of the six surfaces of each.
+  std::vector<AffineMap> uv_frames;  ///< Indexed by Surface::uv_frame.
+  std::size_t primitives = 0;  ///< Number over all shapes. Those of a shape group count once, and each instance as one.
+  bool simple_primitives = true;  ///< Parallelograms, triangles and spheres only, as the packed kernel requires.
   SceneBall ball;
-  std::vector<Light> lights;       ///< of the shapes' surfaces, then the emitters
-  std::vector<char> plain;         ///< by surface: hits need no more than its BSDF record and geometric normal
-  std::uint32_t bsdf_kinds = 0;    ///< bit k: a surface has a BSDF of kind k
-  bool lights_can_be_hit = false;  ///< by a ray
-  RoughLimit rough_limit{};        ///< from where on photons are looked up by direction
+  std::vector<Light> lights;       ///< Lights of the shapes' surfaces, then the emitters.
+  std::vector<char> plain;         ///< Per surface: hits need no more than its BSDF record and geometric normal.
+  std::uint32_t bsdf_kinds = 0;    ///< Bit k: a surface has a BSDF of kind k.
+  bool lights_can_be_hit = false;  ///< A ray may meet one.
+  RoughLimit rough_limit{};        ///< Roughness from which photons are gathered by direction.
 
-  /// A length of the description times this is one of the scene: 1, or a power of two where that would be all too small
-  /// or large.
+  /// Factor from lengths of the description to lengths of the scene: 1, or a power of two where lengths would be far
+  /// too small or large.
   double scale() const { return frame.scale; }
 };
 

@@ -30,7 +30,7 @@ bool is_mesh(const ShapeDescription& shape) {
          std::holds_alternative<HeightfieldDescription>(shape.geometry);
 }
 
-/// An instance of so few may be copied for the sake of its faces.
+/// An instance of at most this many triangles may be copied for the sake of its long faces.
 constexpr std::size_t triangles_to_copy = 0x10000;
 
 double edge_of_triangle(const Mesh& mesh, std::size_t triangle) {
@@ -38,7 +38,7 @@ double edge_of_triangle(const Mesh& mesh, std::size_t triangle) {
   return std::sqrt(std::max({length_squared(b - a), length_squared(c - a), length_squared(c - b)}));
 }
 
-/// Or the diagonal of its box where that is not above `least`: quicker.
+/// Longest edge, or the diagonal of the mesh's box where that is not above `least`: quicker.
 double longest_edge(const Mesh& mesh, double least) {
   Extent box;
   for (std::size_t i = 0; i + 1 < mesh.positions.size(); ++i) box.add(Vec3d(mesh.positions[i]));
@@ -49,11 +49,10 @@ double longest_edge(const Mesh& mesh, double least) {
   return longest;
 }
 
-/// Of so many long edges a ball in single precision is off by a ten-thousandth of a scene's reach.
+/// A ball's radius in long edges at which single precision errs by a ten-thousandth of a scene's reach.
 constexpr double large_balls = 64;
 
-/// BruteForceTables are off by a part of a face's length at its edges: no more than this part of how far away those
-/// are.
+/// BruteForceTables err by a part of a face's length at its edges: at most this part of the distance of the edges.
 constexpr double part_of_rim = 1e-5;
 
 }  // namespace

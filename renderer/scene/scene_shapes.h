@@ -1,5 +1,5 @@
-// Shapes as the description has them, compiled to surfaces. A cube is six of them; an instance has surfaces of its own
-// for every shape of its group, but shares the group's meshes with the other instances.
+// Shapes of the description, compiled to surfaces. A cube becomes six of them. An instance has a surface of its own for
+// every shape of its group, but shares the group's meshes with the other instances.
 #pragma once
 
 #include <map>
@@ -19,11 +19,11 @@ class SceneShapes {
   SceneShapes(const SceneDescription& description, const Textures& textures, const Vec3d& moved, double long_edge);
 
   std::vector<Surface> surfaces;
-  std::vector<const ShapeDescription*> shape_of;  ///< of each surface, in the description
-  std::vector<std::size_t> cubes;                 ///< the first of the six surfaces of each
-  std::vector<AffineMap> uv_frames;               ///< by Surface::uv_frame
-  std::size_t primitives = 0;                     ///< a group's triangles count once, and each instance as one
-  bool simple = true;                             ///< what BruteForceTables can hold
+  std::vector<const ShapeDescription*> shape_of;  ///< Each surface's shape in the description.
+  std::vector<std::size_t> cubes;                 ///< The first of the six surfaces of each.
+  std::vector<AffineMap> uv_frames;               ///< By Surface::uv_frame.
+  std::size_t primitives = 0;                     ///< A group's triangles count once, and each instance as one.
+  bool simple = true;                             ///< BruteForceTables can hold all shapes.
 
  private:
   /// The meshes of a group, around their middle and in a unit of length of their own where the group's is extreme.
@@ -42,18 +42,18 @@ class SceneShapes {
   void add(const MeshDescription&, const ShapeDescription& shape, const Transform& to_world);
   void add(const HeightfieldDescription&, const ShapeDescription& shape, const Transform& to_world);
   void add(const InstanceDescription& instance, const ShapeDescription& shape, const Transform& to_world);
-  /// Of a description that `placed` makes one primitive of.
+  /// Adds a description that `placed` turns into one primitive.
   template <class Primitive>
   void add(const Primitive& primitive, const ShapeDescription& shape, const Transform& to_world);
-  /// uv is (0, 0) at the corner and grows to 1 along the edges. The front is where cross(edge_u, edge_v) points, the
-  /// other side when `turned`; then as flip_normals says.
+  /// uv is (0, 0) at the corner and grows to 1 along the edges. The front is where cross(edge_u, edge_v) points, or the
+  /// other side when `turned`; flip_normals turns it again.
   void add_quad(const ShapeDescription& shape, const Vec3d& corner, const Vec3d& edge_u, const Vec3d& edge_v,
                 bool turned);
   const GroupMeshes& meshes_of(ShapeGroupIndex group);
   void add_mesh(const ShapeDescription& shape, const Transform& to_world);
-  /// Of the last surface, a mesh.
+  /// Marks those of the last surface, a mesh.
   void mark_long_faces(const Transform& to_world);
-  /// Of the last surface.
+  /// Sets those of the last surface.
   void set_long_faces(std::vector<LongFace> faces);
   Mesh compile_mesh(const ShapeDescription& shape, const Transform& to_world) const;
   void add_surface(Geometry geometry, const ShapeDescription& shape);

@@ -46,8 +46,8 @@ TEST(scene, a_mirroring_transform_keeps_the_normal_on_its_side) {
 }
 
 TEST(camera, looks_through_the_pixels_mitsuba_does) {
-  // At the origin looking down -z with +y up, 90 degrees along x, twice as wide as high: the left edge of the image is
-  // world -x (local +x is left), the top is +y at half the tangent.
+  // The camera is at the origin and looks down -z with +y up, 90 degrees along x, twice as wide as high. The image's
+  // left edge is world -x (local +x is left), the top is +y at half the tangent.
   SceneDescription d;
   test::set_camera(d, Transform::look_at({0, 0, 0}, {0, 0, -1}, {0, 1, 0}), 90, 10);
   // The middle of the corner pixel is half a pixel, 1/20 and 1/10 of the way to the centre, inside the edge.
@@ -151,7 +151,8 @@ TEST(scene, lights_are_chosen_half_by_flux_half_evenly) {
 }
 
 TEST(scene, an_alias_table_of_many_lights_holds_their_shares) {
-  // What slot i keeps and what others' slots give it is its share: n p_i = threshold_i + sum (1 - threshold_j).
+  // The share of slot i is its own part plus the parts that others' slots give it: n p_i = threshold_i + sum (1 -
+  // threshold_j).
   std::vector<Light> lights;
   double total = 0, shining = 0;
   for (std::uint64_t i = 0; i < 1000; ++i) {
@@ -263,8 +264,8 @@ TEST(film, has_a_mean_where_the_variance_is_beyond_a_float) {
 }
 
 TEST(film, means_of_shared_passes_say_how_certain_the_images_mean_is) {
-  // Two pixels that vary together. Passes of 1 and 2 samples have the means 1 and 4 over both: variance 2, as above;
-  // the pixels alone would say 2/2 and more.
+  // Two correlated pixels. Passes of 1 and 2 samples have the means 1 and 4 over both: variance 2, as above. From the
+  // pixels alone it would be 2/2 and more.
   Film film(2, 1);
   film.add(0, 0, RgbD(0.5), 1);
   film.add(1, 0, RgbD(1.5), 1);

@@ -28,12 +28,12 @@ struct SurfaceWords {
 };
 
 struct SceneView : RayScene {
-  bool one_light = false;         ///< none is chosen
-  bool one_bsdf_kind = false;     ///< lanes need no sorting
-  bool dark_shadow_rays = false;  ///< shadow rays are traced even where they can bring no light
-  bool detailed = false;          ///< hits go through detail_at (surface_detail.h)
-  bool bends_normals = false;     ///< shading normals need not be geometric ones
-  bool maps_normals = false;      ///< some of them by bump or normal maps
+  bool one_light = false;         ///< There is no choice of a light.
+  bool one_bsdf_kind = false;     ///< Lanes need no sorting.
+  bool dark_shadow_rays = false;  ///< Shadow rays are traced even where they can bring no light.
+  bool detailed = false;          ///< Hits go through detail_at (surface_detail.h).
+  bool bends_normals = false;     ///< Shading normals may differ from geometric ones.
+  bool maps_normals = false;      ///< Some of them by bump or normal maps.
   const DetailTables* detail = nullptr;
   const SurfaceWords* surfaces = nullptr;
   const float* bsdfs = nullptr;   ///< BsdfKinds::stride floats each
@@ -41,8 +41,8 @@ struct SceneView : RayScene {
   const LightWords* light_words = nullptr;
   std::uint32_t light_count = 0;
   const SceneLights* general_lights = nullptr;  ///< all lights, for those that need tables
-  bool lights_by_position = false;              ///< they are chosen by `general_lights`
-  std::uint32_t environment = no_index;         ///< the light that rays see which leave the scene
+  bool lights_by_position = false;              ///< `general_lights` chooses them
+  std::uint32_t environment = no_index;         ///< the light seen by rays that leave the scene
   const ClearWays* clear_ways = nullptr;
   const ProjectionTarget* projection_targets = nullptr;  ///< one for each specular surface
   std::uint32_t projection_target_count = 0;
@@ -51,8 +51,8 @@ struct SceneView : RayScene {
   bool lights_can_be_hit = false;
   bool hides_lights = false;  ///< SceneChoices
   RoughLimit rough_limit{};
-  bool guided_emission = false;  ///< `general_lights` says where light paths start
-  float coordinate_floor = 1;    ///< least magnitude of coordinates that ray offsets reckon with
+  bool guided_emission = false;  ///< `general_lights` decides where light paths start
+  float coordinate_floor = 1;    ///< least magnitude of coordinates that ray offsets assume
   CameraView camera;
 };
 

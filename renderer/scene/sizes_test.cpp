@@ -1,4 +1,4 @@
-// A scene looks the same in any unit of length, and with anything else far away from it or reaching far beyond it.
+// A scene looks the same in any unit of length, and with any other shape far away from it or reaching far beyond it.
 
 #include <algorithm>
 #include <filesystem>
@@ -22,7 +22,7 @@ constexpr std::size_t through_embree = 0;
 
 class integrators_at_any_size : public ::testing::TestWithParam<const char*> {};
 
-// Pixels within 0.4 % but for one in 25, the mean within 0.4 %.
+// Pixels agree within 0.4 % except for one in 25, the mean within 0.4 %.
 TEST_P(integrators_at_any_size, give_the_same_picture) {
   const std::string name = GetParam();
   for (const bool other : {false, true}) {
@@ -75,8 +75,8 @@ TEST(face_normals, do_not_depend_on_the_size_of_the_face) {
 }
 
 TEST(face_normals, of_a_light_a_ten_billionth_in_size_are_right) {
-  // A triangle of legs e emits L over A = e^2/2 from height 2, downwards: below it the floor has
-  // E = L A / h^2 (cosines 1), radiance rho E / pi = 0.5 / pi at L A = 4.
+  // A triangle of legs e emits L over A = e^2/2 from height 2, downwards. Below it the floor has E = L A / h^2 (cosines
+  // 1) and the radiance rho E / pi = 0.5 / pi at L A = 4.
   for (const double e : {1e-4, 1e-10, 1e-16}) {
     SceneDescription d = test::floor_under_point_light(3);
     d.emitters.clear();
@@ -162,8 +162,8 @@ TEST(far_shapes, do_not_even_when_they_are_most) {
 }
 
 TEST(far_shapes, light_what_is_here) {
-  // A sphere of radius 1e7 and radiance L at distance 1e9, at 60 degrees from the floor's normal:
-  // E = pi L (R/D)^2 cos 60, radiance rho E / pi = 0.5 L 1e-4 0.5.
+  // A sphere of radius 1e7 and radiance L is at distance 1e9, at 60 degrees from the floor's normal. The floor has
+  // E = pi L (R/D)^2 cos 60 and the radiance rho E / pi = 0.5 L 1e-4 0.5.
   SceneDescription d = test::floor_under_point_light(5);
   d.emitters.clear();
   const double cos60 = 0.5, sin60 = std::sqrt(0.75);
@@ -243,8 +243,8 @@ TEST(long_faces, are_as_far_as_the_nearest_of_their_edges) {
   EXPECT_NEAR(rim_distance(face(0, -1, true)), std::sqrt(9.0 / 13 + 144), 1e-12);
 }
 
-// The top of a box under a sky shows half of it, however long the sides are that end there: by each of the two ways to
-// meet faces, straight and turned. An edge that is off by a hundredth of the top's width would be seen.
+// The top of a box under a sky shows half of its radiance for sides of any length that end there. Both ways to meet
+// faces are tested, straight and turned. An edge that is off by a hundredth of the top's width would be detected.
 TEST(long_triangles, end_where_they_are) {
   const decltype(ShapeDescription::geometry) shapes[] = {CubeDescription{}, test::box_mesh()};
   for (const auto& shape : shapes)

@@ -17,7 +17,7 @@ Vec3f perpendicular(const Vec3f& v, const Vec3f& n) {
   return norm > 0 && std::isfinite(norm) ? across / norm : any_tangents(n).s;
 }
 
-/// Works its way from a surface's BSDF down to a leaf.
+/// Descends from a surface's BSDF to a leaf.
 class Descent {
  public:
   Descent(const DetailTables& tables, const LocalGeometry& at, const Vec3f& geometric_normal, const Vec3f& direction,
@@ -92,7 +92,7 @@ class Descent {
 
   bool draw(float probability) { return draw_by(u_, probability); }
 
-  /// True with that probability; what is left of u is uniform again.
+  /// True with that probability; the rest of u is uniform again.
   static bool draw_by(float& u, float probability) {
     const bool yes = u < probability;
     u = yes ? u / probability : (u - probability) / (1 - probability);
@@ -100,15 +100,15 @@ class Descent {
     return yes;
   }
 
-  /// The normal as the surface has it in front, whatever side is seen.
+  /// The normal on the surface's front, for either visible side.
   Vec3f front() const { return turned_ ? -normal : normal; }
 
-  /// Of the surface displaced along its normal (Blinn 1978).
+  /// Normal of the surface displaced along its normal (Blinn 1978).
   Vec3f bumped(const TexturedNumber& height) const {
     const Vec3f n = front();
     const Vec2<float> slope = tables_.textures.gradient(height.texture, at_.uv);
-    // cross(du + n a, dv + n b), du and dv perpendicular to n, term by term: in the sums what is tangential would be
-    // lost beside steep slopes. Divided by the steeper one, whose square single precision may not hold.
+    // cross(du + n a, dv + n b) with du and dv perpendicular to n, term by term: in the sums steep slopes would drown
+    // the tangential part. It is divided by the steeper slope, whose square may exceed single precision.
     const Vec3f du = at_.dp_du - n * dot(n, at_.dp_du), dv = at_.dp_dv - n * dot(n, at_.dp_dv);
     constexpr float most = std::numeric_limits<float>::max();
     const float a = std::clamp(height.value * slope.x, -most, most),
@@ -142,8 +142,8 @@ class Descent {
     }
     if (node.flips) {
       state |= Maps::flips[k];
-      // Of what leaves a Lambertian surface the mirrored normal is seen by (1 - cos) / 2, of all directions above by
-      // the angle over pi; in between, no kind of BSDF has its light paths drawn with far too small a chance.
+      // The mirrored normal is seen by (1 - cos) / 2 of the light that leaves a Lambertian surface, and from the angle
+      // over pi of all directions above. A chance in between is never far too small for light paths of any BSDF kind.
       const float chance_to_flip = 0.25f * (1 - tilt + std::sqrt(std::max(1 - tilt * tilt, 0.0f)));
       const bool flip = mode_ == TransportMode::importance ? draw_by(u_flip_, chance_to_flip)
                                                            : !(dot(under, back_) * dot(shown, back_) > 0);

@@ -1,6 +1,6 @@
-// What a hit needs beyond its surface's one BSDF record and its geometric normal: texture values, shading normals,
-// tangents, and which leaf the wrapping BSDFs come down to. One scalar function, called for every hit of a scene that
-// has any of it (SceneView::detailed); other scenes never come here.
+// Data of a hit beyond its surface's one BSDF record and its geometric normal: texture values, shading normals,
+// tangents, and the leaf BSDF below the wrapping ones. One scalar function computes it for every hit of a scene that
+// needs any of it (SceneView::detailed); other scenes never call it.
 #pragma once
 
 #include "renderer/bsdfs/bsdf.h"
@@ -15,45 +15,45 @@ namespace photonproof::inline renderer_scene {
 
 /// 32-bit words only: kernels gather them.
 struct SurfaceDetail {
-  Vec3f normal;    ///< of the shading frame: unit; on the far side of a twosided BSDF turned towards the ray
-  Vec3f below[2];  ///< this and the next four in world space what MappedNormals has in the frame
+  Vec3f normal;    ///< Shading normal, unit. On the back of a twosided BSDF it is turned towards the ray.
+  Vec3f below[2];  ///< This and the next three are the members of MappedNormals, in world space.
   float shadow[2];
   std::uint32_t state;
   float chance;
-  Vec3f tangent;             ///< unit, perpendicular to `normal`, along dp/du; 0 where the leaf does not ask for it
-  std::uint32_t surface;     ///< its number, and above it the bits of `state` that photons and gathers share
-  std::uint32_t bsdf, kind;  ///< bsdf: the leaf, among SceneView::bsdfs; kind: of BsdfKinds
-  float record[BsdfKinds::stride];  ///< of the leaf, texture values in it
+  Vec3f tangent;             ///< Unit, perpendicular to `normal`, along dp/du; 0 where the leaf does not need it.
+  std::uint32_t surface;     ///< Its number, and above it the bits of `state` that photons and gathers share.
+  std::uint32_t bsdf, kind;  ///< The leaf's index among SceneView::bsdfs, and its kind in BsdfKinds.
+  float record[BsdfKinds::stride];  ///< The leaf's record, with texture values in it.
 
   static constexpr std::uint32_t stride = 19 + BsdfKinds::stride;
 };
 static_assert(sizeof(SurfaceDetail) == SurfaceDetail::stride * sizeof(float));
 
-/// How light scatters there. `normal`: the geometric one.
+/// Scattering at the hit. `normal`: the geometric one.
 Scattering<float> scattering_at(const SceneView& scene, const SurfaceDetail& detail, const Vec3f& normal);
 
-/// What detail_at looks up; owned by the scene.
+/// Tables that detail_at reads; owned by the scene.
 struct DetailTables {
   const std::vector<Surface>& surfaces;
   const std::vector<AffineMap>& uv_frames;  ///< by Surface::uv_frame
   const Textures& textures;
   const BsdfTable& bsdfs;
-  const std::vector<char>& plain;            ///< of a surface: SceneParts::plain
-  const std::uint32_t* triangles = nullptr;  ///< of a small scene: which of its mesh a primitive is
+  const std::vector<char>& plain;            ///< by surface: SceneParts::plain
+  const std::uint32_t* triangles = nullptr;  ///< in a small scene: triangle index of each primitive in its mesh
 
-  /// `primitive` as SurfaceHit has it.
+  /// `primitive` as in SurfaceHit.
   LocalGeometry local(std::uint32_t surface, std::uint32_t primitive, const Vec3f& p, const Vec3f& normal) const;
 };
 
-/// The number of a surface without what PhotonSurface has above it.
+/// The number of a surface without the bits that PhotonSurface has above it.
 template <class U>
 U surface_number(const U& tagged) {
   return tagged & PhotonSurface::number;
 }
 
-/// `primitive`, `p`, `normal` (geometric) of the hit; `direction` of the ray, which comes from the camera or
-/// (importance) from a light; `u`, uniform in [0,1), chooses between blended BSDFs and between a masked one and
-/// nothing, and for a light path between what maps show to the one side and to the other.
+/// Computes the detail of a hit with `primitive`, `p` and the geometric `normal`. `direction` is that of the ray, which
+/// comes from the camera or (importance) from a light. `u`, uniform in [0,1), chooses between blended BSDFs and between
+/// a masked one and nothing. For a light path it also chooses between the sides that maps show.
 void detail_at(const SceneView& scene, std::uint32_t surface, std::uint32_t primitive, const Vec3f& p,
                const Vec3f& normal, const Vec3f& direction, float u, TransportMode mode, SurfaceDetail& detail);
 

@@ -1,4 +1,4 @@
-// What hits get from textures, normal and bump maps and nested BSDFs, alone and in whole images.
+// The effect of textures, normal and bump maps and nested BSDFs on hits, alone and in whole images.
 
 #include "renderer/scene/surface_detail.h"
 
@@ -88,7 +88,7 @@ TEST(detail, a_bump_map_tilts_the_normal_by_its_slope) {
 }
 
 TEST(detail, a_bump_map_of_any_height_tilts_the_normal_by_its_slope) {
-  // Turned, so that what is tangential has a part along every axis.
+  // Turned, so that the tangential part is along every axis.
   const Transform turn = Transform::rotate({1, 2, 3}, 40);
   for (const double scale : {1e-37, 1e-20, 1e-6, 1e3, 1e6, 1e9, 1e15, 1e20, 1e30, 1e38}) {
     SceneDescription d;

@@ -1,5 +1,5 @@
-// A scene whose every length is given in a unit, so that it can be asked for at any size, and comparisons of what comes
-// out. Nothing here is shared with scaled_description.cpp.
+// A scene whose every length is given in a unit, so that tests can build it at any size, and comparisons of the
+// results. It shares no code with scaled_description.cpp.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@
 
 namespace photonproof::test {
 
-/// Positions times `size`, as if the file had them so.
+/// Positions times `size`, as if the file contained them.
 inline std::shared_ptr<const TriangleMesh> pyramid(double size) {
   auto mesh = std::make_shared<TriangleMesh>();
   mesh->resize_positions(5);
@@ -37,12 +37,12 @@ struct Room {
   bool bodies = false;  ///< mirrors and glass, textures' bumps, a lens
 };
 
-/// Where something of that size stands in the room.
+/// The placement of a shape of that size in the room.
 inline Transform placed(const Room& room, double x, double y, double z, double size) {
   return Transform::translate(Vec3d{x, y, z} * room.unit) * Transform::scale(Vec3d(size * room.unit));
 }
 
-/// A floor without end, and a shape of every kind on it.
+/// An endless floor, and a shape of every kind on it.
 inline void add_shapes_to_see(const Room& room, SceneDescription& d) {
   const double u = room.unit;
   const auto at = [&](double x, double y, double z, double size) { return placed(room, x, y, z, size); };
@@ -72,7 +72,7 @@ inline void add_shapes_to_see(const Room& room, SceneDescription& d) {
   add_shape(d, InstanceDescription{{0}}, at(-1.5, -1.5, 0.01, 0.6), grey);
 }
 
-/// A light of every kind with an end, and dim light from all around. Intensities go with the square of the unit.
+/// A light of every kind of finite extent, and dim environment light. Intensities scale with the square of the unit.
 inline void add_lights(const Room& room, SceneDescription& d) {
   const double u = room.unit;
   const auto at = [&](double x, double y, double z, double size) { return placed(room, x, y, z, size); };
@@ -100,7 +100,7 @@ inline void add_lights(const Room& room, SceneDescription& d) {
   d.emitters.push_back({{}, "", ConstantLightDescription{RgbD(0.02)}});
 }
 
-/// The shapes with the lights over them, and what looks at them.
+/// The shapes with the lights over them, and the camera.
 inline SceneDescription room_of_all_shapes(const Room& room) {
   const double u = room.unit;
   SceneDescription d;
@@ -126,8 +126,8 @@ inline SceneDescription room_of_all_shapes(const Room& room) {
   return d;
 }
 
-/// Both images from the same random numbers: equal within rounding at all but a few values, where a path went round
-/// the other side of an edge, and in the mean.
+/// Compares images from the same random numbers. They are equal within rounding except at a few values, where a path
+/// went round the other side of an edge, and in the mean.
 inline void expect_same_picture(const Image& image, const Image& expected, const std::string& what) {
   ASSERT_EQ(image.rgb.size(), expected.rgb.size());
   std::size_t different = 0;

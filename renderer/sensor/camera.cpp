@@ -28,7 +28,7 @@ Vec2<double> half_tangents(const PerspectiveDescription& camera, double width, d
   }
 }
 
-/// Sets what depends on the kind of camera, for a film of this size.
+/// Sets the members that depend on the kind of camera, for a film of this size.
 struct Lens {
   CameraView& view;
   const Transform& to_world;
@@ -37,7 +37,7 @@ struct Lens {
   void operator()(const PerspectiveDescription& camera) const {
     const Vec2<double> tangents = half_tangents(camera, film_width, film_height);
     set(tangents.x, tangents.y, camera.near_clip, camera.far_clip);
-    // As in Mitsuba, the offset is added to where a pixel is looked up.
+    // As in Mitsuba, the offset is added to a pixel's place.
     view.center_x -= static_cast<float>(2 * camera.principal_x);
     view.center_y -= static_cast<float>(2 * camera.principal_y);
   }

@@ -6,8 +6,8 @@
 
 namespace photonproof::inline renderer_sensor {
 
-/// `width`, `height` in pixels: the size of the whole film, which fixes the aspect and so the fields of view. A crop of
-/// it is a window of the same raster. `moved` is added to the camera's position in the world.
+/// `width`, `height` in pixels: the size of the whole film, which fixes the aspect and so the fields of view. A crop is
+/// a window of the same raster. `moved` is added to the camera's position in the world.
 CameraView compile_camera(const SensorDescription& sensor, int width, int height, const Vec3d& moved);
 
 /// World height of a pixel at p_world.

@@ -1,4 +1,4 @@
-// The camera's rays, a lane each.
+// The camera's rays, one per lane.
 #pragma once
 
 #include "renderer/lanes/warp.h"
@@ -13,10 +13,10 @@ struct CameraRay {
   Mask<F> valid{};         ///< false where the camera has no image
 };
 
-/// Of the sampler: vertices count theirs up from 1.
+/// Dimension of the sampler for the lens; vertices count theirs up from 1.
 inline constexpr std::uint32_t lens_dimension = 0xFFFFFFFFu;
 
-/// Distance from the pixel's middle along an axis, drawn with the filter's density.
+/// Distance from the pixel's middle along an axis, sampled with the filter's density.
 template <class F>
 F filter_offset(const FilterView& filter, const F& u) {
   const F both = 2 * u - 1;
@@ -26,7 +26,7 @@ F filter_offset(const FilterView& filter, const F& u) {
   return lane_copysign(mul_add(F(at - to_float(below)), F(high - low), low), both);
 }
 
-/// The same for the pixel `at` of the film's `size` along an axis, without what lies beyond the film's borders.
+/// The same for the pixel `at` of the film's `size` along an axis, limited to the film's borders.
 template <class F>
 F filter_offset(const FilterView& filter, const UInt<F>& at, float size, const F& u) {
   const auto beyond = [&](const UInt<F>& distance) {
@@ -37,7 +37,7 @@ F filter_offset(const FilterView& filter, const UInt<F>& at, float size, const F
   return filter_offset(filter, F(mul_add(u, F(1.0f - low - high), low)));
 }
 
-/// Sets the ray through a point of the raster and, with a lens, a point of that.
+/// Sets the ray through a point of the raster and, with a lens, through a point of that.
 template <class F>
 void set_ray(const CameraView& camera, const Vec2<F>& raster, const Vec2<F>& u_lens, CameraRay<F>& ray) {
   const F right = (2 * camera.inverse_width * raster.x - camera.center_x) * camera.tan_x;
@@ -56,7 +56,7 @@ void set_ray(const CameraView& camera, const Vec2<F>& raster, const Vec2<F>& u_l
     case CameraKind::thin_lens: {
       const Vec2<F> disc = square_to_disc(u_lens);
       const F lens_right = disc.x * camera.lens_radius, lens_up = disc.y * camera.lens_radius;
-      // From the lens point to the plane one unit ahead, on the way to the same point of the plane in focus.
+      // From the lens point to the plane one unit ahead, towards the same point of the plane in focus.
       const float closer = 1 / camera.focus_distance;
       const Vec3<F> through =
           from(broadcast<F>(camera.forward), F(right - lens_right * closer), F(up - lens_up * closer));
@@ -82,7 +82,7 @@ void set_ray(const CameraView& camera, const Vec2<F>& raster, const Vec2<F>& u_l
   }
 }
 
-/// Where camera rays end beyond the far plane, and so nowhere.
+/// Rays that end beyond the far plane hit nothing.
 template <class F>
 Mask<F> beyond_far_plane(const CameraView& camera, const Vec3<F>& p) {
   if (camera.kind == CameraKind::fisheye) return length(Vec3<F>(p - broadcast<F>(camera.origin))) > camera.far;

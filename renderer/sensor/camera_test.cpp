@@ -1,5 +1,5 @@
-// Cameras of every kind: the way back from the scene is the inverse of the rays, importance is a density of the raster,
-// filters are drawn as they are evaluated.
+// Cameras of every kind: the connection from the scene is the inverse of the rays, importance is a density of the
+// raster, and filters are sampled as they are evaluated.
 
 #include "renderer/sensor/camera.h"
 
@@ -99,9 +99,9 @@ TEST(cameras, importance_is_the_raster_area_an_area_across_the_ray_covers) {
 }
 
 TEST(cameras, importance_integrates_to_the_pixels_of_the_image) {
-  // Raster area per solid angle, importance times the square of the distance to the lens, over the directions through
-  // raster points inside of the image; of the orthographic camera raster area per area, 6 x 4 scaled by nothing but
-  // to_world's (3, 2): width 6, height 2 x 2 x 20/30.
+  // Raster area per solid angle is importance times the square of the distance to the lens, over the directions through
+  // raster points inside the image. The orthographic camera has raster area per area: only to_world's (3, 2) scales
+  // 6 x 4, so the width is 6, the height 2 x 2 x 20/30.
   constexpr double pixels = image_width * image_height;
   for (const Named& named : cameras()) {
     const CameraView camera = view_of(named);
@@ -139,7 +139,7 @@ TEST(cameras, the_principal_point_moves_pixels_by_its_share_of_the_film) {
 }
 
 TEST(cameras, the_field_of_view_is_along_its_axis) {
-  // 60 degrees from edge to edge, or corner to corner, of an image wide or high: what is seen at an edge's middle is
+  // 60 degrees from edge to edge, or corner to corner, of an image wide or high. The middle of an edge is seen at
   // tan 30 degrees off the axis, times the ratio of the sides, or of side and diagonal.
   const double t = std::tan(std::numbers::pi / 6);
   for (const auto& [width, height] : {std::pair{40, 20}, std::pair{20, 40}}) {
@@ -317,7 +317,7 @@ TEST(filters, splats_of_evenly_spread_points_give_every_pixel_one) {
 TEST(filters, a_box_splat_falls_into_the_pixel_that_holds_it) {
   const FilterKernel box(ReconstructionFilter{ReconstructionFilter::Kind::box, 0.5, 1});
   EXPECT_NEAR(box.pixels_a_splat(), 1, 1e-9);
-  // Of the tent the integral of w^2 is 2/3 along an axis.
+  // The integral of the tent's w^2 is 2/3 along an axis.
   EXPECT_NEAR(FilterKernel(ReconstructionFilter{ReconstructionFilter::Kind::tent, 0.5, 1}).pixels_a_splat(), 2.25,
               1e-4);
   for (const Vec2<float> at : {Vec2<float>{3.0f, 4.5f}, Vec2<float>{3.999f, 4.0f}}) {

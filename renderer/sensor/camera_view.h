@@ -11,17 +11,17 @@ namespace photonproof::inline renderer_sensor {
 
 enum class CameraKind : std::uint32_t { perspective, thin_lens, orthographic, fisheye };
 
-/// How a pixel weighs the image around its middle: separable, symmetric. Samples are drawn with that density, so that
+/// A pixel's weight of the image around its middle: separable, symmetric. Samples are drawn with that density, so that
 /// all weigh the same.
 struct FilterView {
-  /// Of the distance along an axis, at 1 - sqrt(1 - u) = i / steps for u uniform: more of them where tails are thin.
+  /// Quantiles of the distance along an axis, at 1 - sqrt(1 - u) = i / steps for u uniform: finer where tails are thin.
   static constexpr std::uint32_t steps = 128;
   bool is_box = true;  ///< the pixel itself
   float radius = 0.5f;
-  float margin = 0;  ///< how far beyond the film's border light paths are splatted from
+  float margin = 0;  ///< reach beyond the film's border from which light paths are splatted
   std::array<float, steps + 1> quantiles{};
   /// The share of samples that would fall beyond one border of the film, by the pixel's distance from it; they are
-  /// drawn within. All zero when the border is sampled. Filters reach 16 pixels (view_description.h).
+  /// sampled within. All zero when the border is sampled. Filters reach 16 pixels (view_description.h).
   static constexpr std::uint32_t widest = 16;
   std::array<float, widest + 1> beyond_border{};
   FilterView() = default;
@@ -29,11 +29,11 @@ struct FilterView {
 
 struct CameraView {
   Vec3f origin, right, up, forward;  ///< axes unit
-  /// Half the image at the distance 1: of an orthographic camera in scene units, of a fisheye in radians.
+  /// Half the image at the distance 1: for an orthographic camera in scene units, for a fisheye in radians.
   float tan_x = 1, tan_y = 1;
   float inverse_width = 1, inverse_height = 1;  ///< of the film in pixels
-  float near = 0, far = 0;                      ///< distances along `forward`; of a fisheye along rays
-  float center_x = 1, center_y = 1;             ///< twice where the axis meets the film, in its widths and heights
+  float near = 0, far = 0;                      ///< Distances along `forward`; for a fisheye along rays.
+  float center_x = 1, center_y = 1;             ///< Twice the axis's place on the film, in its widths and heights.
   float width = 1, height = 1;                  ///< of the film in pixels
   CameraKind kind = CameraKind::perspective;
   float lens_radius = 0, focus_distance = 1;  ///< thin lens; the sharp plane's distance along `forward`

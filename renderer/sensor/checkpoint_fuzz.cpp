@@ -1,6 +1,6 @@
 // Fuzzes the reading of checkpoints. Built with libFuzzer (preset fuzz), and run over checkpoint_corpus/ by
-// checkpoint_fuzz_test.cpp. What begins with '+' is what stands between a checkpoint's first line and its checksum,
-// which is put behind it: else none would get that far. Anything else is the whole file.
+// checkpoint_fuzz_test.cpp. An input that begins with '+' is the part between a checkpoint's first line and its
+// checksum, which is then appended: otherwise no input would get that far. Any other input is the whole file.
 #include "renderer/sensor/checkpoint_fuzz.h"
 
 #include <cmath>
@@ -25,7 +25,7 @@ std::string file_of(std::string_view bytes) {
   return whole;
 }
 
-/// What renders keep: a film, tables, numbers and texts.
+/// Data that renders keep: a film, tables, numbers and texts.
 struct State {
   Film film{{0, 0, 3, 2}};
   std::vector<float> table = std::vector<float>(4);

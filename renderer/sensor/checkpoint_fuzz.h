@@ -1,4 +1,4 @@
-// What the fuzzer of checkpoints checks of one input; also run over the stored corpus by an ordinary test.
+// Checks one input of the fuzzer of checkpoints; an ordinary test also runs it over the stored corpus.
 #pragma once
 
 #include <string>
@@ -6,8 +6,7 @@
 
 namespace photonproof::inline renderer_sensor {
 
-/// Empty when `bytes` are refused with a proper message or read into something that keeps its promises; else what went
-/// wrong.
+/// Empty when `bytes` are refused with a proper message or read into a valid checkpoint; else the problem.
 std::string check_checkpoint(std::string_view bytes);
 
 }  // namespace photonproof::inline renderer_sensor

@@ -14,7 +14,7 @@ Film::Film(const Tile& window)
 
 namespace {
 
-/// Never below zero, where rounding can put it; what is no number stays none.
+/// Never below zero in spite of rounding; NaN stays NaN.
 RgbD variance_of_mean(const RgbD& spread, std::int64_t estimates) {
   const auto component = [&](double v) { return std::max(v / static_cast<double>(estimates - 1), 0.0); };
   return {component(spread.x), component(spread.y), component(spread.z)};

@@ -1,4 +1,4 @@
-// Accumulates estimates a pixel: weighted mean and the variance of that mean. Double sums, one writer a pixel at a
+// Accumulates estimates per pixel: weighted mean and the variance of that mean. Double sums, one writer per pixel at a
 // time, added in a fixed order, so that the image does not depend on threads.
 #pragma once
 
@@ -17,17 +17,18 @@ class StateWriter;
 
 namespace photonproof::inline renderer_sensor {
 
-/// Whether floats hold the variances of an image's pixels: the square of a radiance that is a float need not be one.
+/// Whether floats hold the variances of an image's pixels: the square of a radiance that is a float may overflow.
 struct VarianceInFloat {
-  std::size_t lost = 0;  ///< pixels with a variance that is beyond the largest or below the least float
-  /// None is beyond, and the largest is not below: a layer that says next to nothing of the lost ones is right.
+  std::size_t lost = 0;  ///< Pixels with a variance beyond the largest or below the least float.
+  /// No variance is beyond, and the largest is not below. A layer with almost no variance at the lost ones is then
+  /// right.
   bool fits = true;
 };
 
 class Film {
  public:
   Film(int width, int height) : Film(Tile{0, 0, width, height}) {}
-  /// A part of the image. Its pixels keep the coordinates they have in the whole.
+  /// A part of the image. Its pixels keep their coordinates in the whole image.
   explicit Film(const Tile& window);
 
   /// One independent estimate of the pixel's radiance, itself the mean of `weight` samples.
@@ -48,41 +49,40 @@ class Film {
     p.estimates += estimates;
   }
 
-  /// After every pass of `samples` a pixel whose pixels share light paths or photons: they vary together, so that how
-  /// certain the image's mean is only the passes show. A pass that was broken off does not count before it is whole.
+  /// Call after every pass of `samples` per pixel whose pixels share light paths or photons. They are correlated, so
+  /// only the passes show the error of the image's mean. An interrupted pass does not count until it is whole.
   void end_shared_pass(double samples);
-  /// Of light paths that are added by a filter wider than a pixel (scenes/images/mean_error.h).
+  /// Sets the value for light paths that are added by a filter wider than a pixel (scenes/images/mean_error.h).
   void set_pixels_a_splat(double pixels) { pixels_a_splat_ = pixels; }
 
-  /// Mean and, where every pixel has at least two estimates and floats hold it, the variance of the mean:
-  /// sum w (x - m)^2 / ((n - 1) sum w), unbiased where an estimate's variance is inverse to its weight. By the same
-  /// formula, after two shared passes, the MeanError of the image's mean.
+  /// The mean and, where every pixel has at least two estimates and floats hold it, the variance of the mean. This is
+  /// sum w (x - m)^2 / ((n - 1) sum w), unbiased where an estimate's variance is inverse to its weight. After two
+  /// shared passes, the same formula gives the MeanError of the image's mean.
   /// The image is of the window's size.
   Rendering develop() const;
-  /// Errors are relative to mean^2 + this, as relmse has it.
+  /// Errors are relative to mean^2 + this, as in relmse.
   static constexpr double relative_epsilon = 0.01;
-  /// What squares of errors of pixels of such a mean are multiplied by.
+  /// Factor on squared errors of pixels with such a mean.
   static RgbD relative_scale(const RgbD& mean) {
     const auto of = [](double v) { return 1 / (v * v + relative_epsilon); };
     return {of(mean.x), of(mean.y), of(mean.z)};
   }
-  /// Root of the mean, over channel values, of the mean's variance over mean^2 + 0.01: the root of the relmse that
-  /// noise alone would give, as estimated from the samples, which are taken as independent (those of a Sobol sequence
-  /// are better than that). `epsilon` is what is there in place of 0.01. Empty where a pixel has fewer than two
-  /// estimates.
+  /// Root of the mean, over channel values, of the mean's variance over mean^2 + 0.01. This estimates the root of the
+  /// relmse that noise alone would cause. Samples count as independent (those of a Sobol sequence are better than
+  /// that). `epsilon` replaces 0.01. Empty where a pixel has fewer than two estimates.
   std::optional<double> relative_standard_error(double epsilon = relative_epsilon) const;
   /// Mean over channel values of mean^2.
   double mean_square() const;
-  /// Of the estimates so far; 0 where there is none.
+  /// Mean of the estimates so far; 0 where there is none.
   RgbD mean(int x, int y) const {
     const Pixel& p = pixels_[index(x, y)];
     return p.weight > 0 ? p.sum / p.weight : RgbD(0.0);
   }
-  /// Whether the layer of develop() is there, and of how many pixels it says next to nothing.
+  /// Whether develop() gives the variance layer, and the number of pixels whose variance it cannot hold.
   VarianceInFloat variance_in_float() const;
-  /// Pixels no estimate reached (an interrupted first pass).
+  /// Pixels without an estimate (after an interrupted first pass).
   std::size_t unsampled_pixels() const;
-  /// Of memory, for each pixel.
+  /// Memory per pixel.
   static constexpr std::size_t bytes_a_pixel() { return sizeof(Pixel); }
 
   const Tile& window() const { return window_; }
@@ -91,7 +91,7 @@ class Film {
 
   /// Every sum, to the bit.
   void save(StateWriter& out) const;
-  /// Throws InputError when what is stored is of another window.
+  /// Throws InputError when the stored state is of another window.
   void restore(StateReader& in);
 
  private:
@@ -107,8 +107,8 @@ class Film {
 
   Tile window_;
   std::vector<Pixel> pixels_;
-  Pixel passes_;       ///< of the image's mean, each shared pass an estimate
-  Pixel before_pass_;  ///< sums over all pixels when the last pass had ended
+  Pixel passes_;       ///< of the image's mean; each shared pass is an estimate
+  Pixel before_pass_;  ///< sums over all pixels at the end of the last pass
   double pixels_a_splat_ = 1;
 };
 

@@ -8,7 +8,7 @@
 namespace photonproof::inline renderer_sensor {
 namespace {
 
-/// As filter_offset (camera_ray.h) draws: the share of samples that are farther than this on one side.
+/// The share of samples of filter_offset (camera_ray.h) that are farther than this on one side.
 double share_beyond(const FilterView& view, double distance) {
   const auto above = std::upper_bound(view.quantiles.begin(), view.quantiles.end(), static_cast<float>(distance));
   if (above == view.quantiles.end()) return 0;

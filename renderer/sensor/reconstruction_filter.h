@@ -1,4 +1,4 @@
-// Reconstruction filters as densities: camera samples are drawn from them (kernels/camera_rays.h), splats of light
+// Reconstruction filters as densities: camera samples are drawn from them (kernels/camera_rays.h), and splats of light
 // paths are spread by them.
 #pragma once
 
@@ -10,8 +10,8 @@
 
 namespace photonproof::inline renderer_sensor {
 
-/// The filter that light paths are spread by: with one that is narrower than `narrowest_splat` next to none of those
-/// that arrive would count, each for as much more.
+/// The filter that spreads light paths. With one narrower than `narrowest_splat` almost none of the arriving paths
+/// would count, each for as much more.
 ReconstructionFilter filter_of_splats(ReconstructionFilter filter);
 inline constexpr double narrowest_splat = 0.5;  ///< radius, pixels
 
@@ -24,7 +24,7 @@ class FilterKernel {
 
   double radius() const { return radius_; }
   double operator()(double distance) const;
-  /// Over how many pixels a splat is spread: 1 / (integral of the filter's square)^2.
+  /// Number of pixels that share a splat: 1 / (integral of the filter's square)^2.
   double pixels_a_splat() const;
   /// Integral from 0 to `distance`, at most 1/2.
   double half_integral(double distance) const;
@@ -51,7 +51,7 @@ class FilterKernel {
  private:
   ReconstructionFilter::Kind kind_;
   double radius_ = 0.5;
-  double stddev_ = 1, floor_ = 0;  ///< of the Gaussian: its value at the radius is taken away
+  double stddev_ = 1, floor_ = 0;  ///< of the Gaussian; its value at the radius is subtracted
   double inverse_integral_ = 1;
 };
 

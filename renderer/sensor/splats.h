@@ -1,4 +1,4 @@
-// Light that light paths bring to the image, wherever that is. Each unit of work collects its own, and units are added
+// Light that light paths add to the image, at any place. Each unit of work collects its own splats, and units are added
 // in their order, so that sums do not depend on threads.
 #pragma once
 
@@ -21,7 +21,7 @@ class SplatImage {
  public:
   SplatImage(const Tile& window, const ReconstructionFilter& filter)
       : window_(window), filter_(filter), sums_(std::size_t(window.width()) * std::size_t(window.height())) {}
-  /// Splats stay within a film of this size: pixels whose filter reaches beyond it count what is within for more.
+  /// Splats stay within a film of this size: pixels whose filter reaches beyond it weigh the part within more.
   SplatImage(const Tile& window, const ReconstructionFilter& filter, int film_width, int film_height);
 
   /// Adds them to the pixels whose reconstruction filter reaches them.

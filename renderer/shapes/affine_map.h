@@ -12,7 +12,7 @@ struct AffineMap {
   Vec3f to_x{1, 0, 0}, to_y{0, 1, 0}, to_z{0, 0, 1};  ///< rows of the inverse's linear part
 
   AffineMap() = default;
-  /// The axes are not in one plane.
+  /// The axes must not lie in one plane.
   AffineMap(const Vec3d& axis_x, const Vec3d& axis_y, const Vec3d& axis_z, const Vec3d& at);
   explicit AffineMap(const Transform& m)
       : AffineMap(m.vector({1, 0, 0}), m.vector({0, 1, 0}), m.vector({0, 0, 1}), m.point({0, 0, 0})) {}
@@ -20,7 +20,7 @@ struct AffineMap {
   Vec3f vector(const Vec3f& v) const { return x * v.x + y * v.y + z * v.z; }
   Vec3f local_point(const Vec3f& p) const { return local_vector(p - origin); }
   Vec3f local_vector(const Vec3f& v) const { return {dot(to_x, v), dot(to_y, v), dot(to_z, v)}; }
-  /// Of a local normal: by the inverse's transpose, not normalised.
+  /// Image of a local normal: by the inverse's transpose, not normalised.
   Vec3f normal(const Vec3f& n) const { return to_x * n.x + to_y * n.y + to_z * n.z; }
 };
 

@@ -16,7 +16,7 @@
 namespace photonproof::inline renderer_shapes {
 namespace {
 
-/// Gauss and Legendre's quadrature of six points: for what has no kink it is exact to 1e-9 here.
+/// Gauss-Legendre quadrature of six points: exact to 1e-9 here for integrands without a kink.
 template <class Integrand>
 double integrate(double from, double to, const Integrand& f) {
   constexpr std::array<double, 3> nodes{0.2386191860831969, 0.6612093864662645, 0.9324695142031521};
@@ -82,8 +82,9 @@ LocalGeometry local_geometry(const Cylinder&, const AffineMap& frame, const Vec3
       {turn_of(local.x, local.y), local.z}, frame.vector({-2 * pi * local.y, 2 * pi * local.x, 0}), frame.z, normal};
 }
 
-// With s = r sin t the distance from p across the axis, what the ball takes of the line at the angle a = 2 asin(s/2R)
-// about the axis is r cos t long in both directions, or ends where the cylinder does; R da = ds / sqrt(1 - (s/2R)^2).
+// Let s = r sin t be the distance from p across the axis; the line at the angle a = 2 asin(s/2R) about the axis lies
+// there. Its part in the ball is r cos t long in both directions, or ends with the cylinder; R da = ds / sqrt(1 -
+// (s/2R)^2).
 float disc_area(const Cylinder& cylinder, const Vec3f& p, float radius) {
   const double big = cylinder.radius, r = radius;
   const double widest = std::min(r, big * std::sqrt(2 * accepted_versine(big, double{sheet_height} * r)));

@@ -11,7 +11,7 @@ namespace photonproof::inline renderer_shapes {
 
 /// The points at distance `radius` from the segment base + [0, length] axis; no caps.
 struct Cylinder {
-  Vec3d base, axis;  ///< axis is unit; in double, as of a sphere
+  Vec3d base, axis;  ///< axis is unit; in double, as for a sphere
   double length, radius;
   bool inward;  ///< the normal points to the axis
   static constexpr bool is_round = true;

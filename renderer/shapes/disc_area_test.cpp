@@ -1,4 +1,4 @@
-// The clipped gather disc against closed forms and counting.
+// The clipped gather disc compared with closed forms and counting.
 
 #include <gtest/gtest.h>
 
@@ -47,8 +47,8 @@ TEST(disc_area, of_a_sheared_parallelogram_matches_counting) {
 }
 
 TEST(disc_area, on_a_sphere_is_pi_r_squared_up_to_where_the_tangent_plane_is_too_far) {
-  // The cap of height h has the area 2 pi R h: h = r^2 / 2R as long as that is below r/4, then r/4, and R/4 from where
-  // normals are 41 degrees apart.
+  // The cap of height h has the area 2 pi R h. The height is r^2 / 2R as long as that is below r/4, then r/4, and at
+  // most R/4, where normals are 41 degrees apart.
   const Sphere sphere{{0, 0, 0}, 1, false};
   EXPECT_NEAR(disc_area(sphere, {0, 0, 1}, 0.4f), std::numbers::pi * 0.16, 1e-6);
   EXPECT_NEAR(disc_area(sphere, {0, 0, 1}, 0.5f), std::numbers::pi * 0.25, 1e-6);
@@ -56,7 +56,7 @@ TEST(disc_area, on_a_sphere_is_pi_r_squared_up_to_where_the_tangent_plane_is_too
   EXPECT_NEAR(disc_area(sphere, {0, 0, 1}, 9), 2 * std::numbers::pi * 0.25, 1e-6);
 }
 
-/// A shape cut into a million pieces about each of some points: `at(u, v)` says where, how large and with which normal.
+/// A shape cut into a million pieces about each of some points: `at(u, v)` gives place, size and normal of each.
 struct Piece {
   Vec3d p, normal;
   double area;
@@ -100,8 +100,8 @@ TEST(disc_area, on_a_narrow_stretch_of_a_wide_cylinder_is_the_rectangles) {
 }
 
 TEST(disc_area, on_a_disk_is_the_lens_of_two_circles) {
-  // r^2 acos((d^2 + r^2 - R^2) / 2dr) + R^2 acos((d^2 + R^2 - r^2) / 2dR)
-  //   - 1/2 sqrt((-d+r+R) (d+r-R) (d-r+R) (d+r+R)).
+  // The area of two circles' intersection: r^2 acos((d^2 + r^2 - R^2) / 2dr) + R^2 acos((d^2 + R^2 - r^2) / 2dR)
+  //   `- 1/2 sqrt((-d+r+R) (d+r-R) (d-r+R) (d+r+R))`.
   const Disk disk{{5, 0, 0}, {2, 0, 0}, {0, 2, 0}, {0, 0, 1}};
   for (const double d : {1.9, 1.95, 1.2, 2.0})
     for (const double r : {0.3, 0.9, 2.5}) {

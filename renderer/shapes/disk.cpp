@@ -54,8 +54,8 @@ LocalGeometry local_geometry(const Disk&, const AffineMap& frame, const Vec3f& p
           normal};
 }
 
-// The directions around p in which the circle ends before the ellipse give sectors of the circle, the others what lies
-// between p and an arc of the ellipse: in the ellipse's own coordinates an arc of the unit circle.
+// Directions around p in which the circle ends before the ellipse give sectors of the circle. The others give the area
+// between p and an arc of the ellipse, which in the ellipse's own coordinates is an arc of the unit circle.
 float disc_area(const Disk& disk, const Vec3f& p, float radius) {
   const Vec3d u(disk.axis_x), v(disk.axis_y), from_center = Vec3d(p) - Vec3d(disk.center);
   const double uu = dot(u, u), uv = dot(u, v), vv = dot(v, v), r = radius;
@@ -67,7 +67,8 @@ float disc_area(const Disk& disk, const Vec3f& p, float radius) {
   if ((1 - off) * least_axis >= r) return static_cast<float>(std::numbers::pi * r * r);
   if (off > 1) q = {q.x / off, q.y / off};  // rounding
 
-  // By the angle b of a direction in the ellipse's coordinates: where it leaves the unit circle, and how far that is.
+  // For the angle b of a direction in the ellipse's coordinates: the point where it leaves the unit circle, and its
+  // distance.
   struct Exit {
     PlanePoint at;
     double distance;

@@ -9,8 +9,8 @@ struct DiskDescription;
 
 namespace photonproof::inline renderer_shapes {
 
-/// center + x axis_x + y axis_y for x^2 + y^2 <= 1: an ellipse where the axes are not alike. `normal` as of a
-/// Quad.
+/// center + x axis_x + y axis_y for x^2 + y^2 <= 1: an ellipse where the axes differ in length or are not
+/// perpendicular. `normal` as in Quad.
 struct Disk {
   Vec3f center, axis_x, axis_y;
   Vec3f normal;
@@ -23,7 +23,7 @@ double hit_distance(const Disk& disk, const ShapeRay& ray);
 ShapePoint point_on(const Disk& disk, const Vec3d& near);
 ShapeBox box_around(const Disk& disk);
 LocalGeometry local_geometry(const Disk& disk, const AffineMap& frame, const Vec3f& p, const Vec3f& normal);
-/// Exact up to what less than a 32nd of the way around an ellipse hides.
+/// Exact except for parts shorter than a 32nd of the way around an ellipse.
 float disc_area(const Disk& disk, const Vec3f& p, float radius);
 PlacedShape<Disk> placed(const DiskDescription& description, const ShapePlace& place);
 Extent extent_of(const DiskDescription& description, const Transform& to_world);

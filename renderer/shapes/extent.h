@@ -1,4 +1,4 @@
-// The box around a shape of a description, in double precision: by it the compiled scene's origin is chosen.
+// The box around a shape of a description, in double precision; it determines the compiled scene's origin.
 #pragma once
 
 #include <limits>
@@ -13,7 +13,7 @@ struct Extent {
   Vec3d low{std::numeric_limits<double>::infinity()}, high{-std::numeric_limits<double>::infinity()};
   void add(const Vec3d& p);
   void add(const Extent& other);
-  /// The corners of a local box.
+  /// Adds the corners of a local box.
   void add_box(const Transform& to_world, const Vec3d& local_low, const Vec3d& local_high);
   /// `center` and `radius` are local; to_world scales evenly.
   void add_ball(const Transform& to_world, const Vec3d& center, double radius);

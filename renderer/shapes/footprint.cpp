@@ -23,7 +23,7 @@ std::vector<HalfSpace> half_spaces_of(const Solid& solid) {
   return sides;
 }
 
-/// Of a convex polygon, in order around, the sides' half-spaces.
+/// Half-spaces of the sides of a convex polygon, in order around.
 std::vector<HalfSpace> half_spaces_of(std::span<const Vec3d> polygon, const Vec3d& normal) {
   Vec3d middle(0.0);
   for (const Vec3d& p : polygon) middle += p / static_cast<double>(polygon.size());
@@ -45,7 +45,7 @@ std::array<Vec3d, 2> axes_of_plane(const Vec3d& normal) {
   return {x, cross(normal, x)};
 }
 
-/// Where a plane `height` from its middle cuts a ball: of the circle's area.
+/// Polygon of the area of the circle in which a plane at `height` from its middle cuts a ball.
 std::vector<Vec3d> cut_of_ball(const Solid& ball, const Vec3d& normal, double height) {
   const double circle = std::sqrt(std::max(0.0, ball.radius * ball.radius - height * height));
   constexpr double step = 2 * std::numbers::pi / sides_of_circle;

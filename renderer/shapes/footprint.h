@@ -1,6 +1,6 @@
-// What a solid that stands on a flat shape, or is sunk in it, covers of it. No light lands there, so that a gather
-// beside the solid must not count it as area: along the foot of a box half of the light would be missing, however small
-// the radius.
+// The part of a flat shape that a solid covers, standing on it or sunk in it. No light lands there, so a gather beside
+// the solid must not count it as area. Otherwise half of the light would be missing along the foot of a box, at any
+// radius.
 #pragma once
 
 #include <array>
@@ -17,31 +17,31 @@ namespace photonproof::inline renderer_shapes {
 /// A parallelepiped or a ball, seen from outside.
 struct Solid {
   Vec3d middle;
-  std::array<Vec3d, 3> half_edges{};  ///< of a parallelepiped; all 0 of a ball
-  double radius = 0;                  ///< of a ball
+  std::array<Vec3d, 3> half_edges{};  ///< a parallelepiped's; all 0 for a ball
+  double radius = 0;                  ///< a ball's
 
-  /// Of the six sides of a cube as the compiler lists them; nothing where they face inward.
+  /// The solid of a cube's six sides, in the compiler's order; empty where they face inward.
   static std::optional<Solid> of_cube(const std::array<const Quad*, 6>& sides);
   static std::optional<Solid> of_ball(const Sphere& sphere);
 
-  /// How far it reaches from its middle at most, and along a unit vector.
+  /// Largest distance of its points from its middle, in all directions and along a unit vector.
   double reach() const;
   double reach_along(const Vec3d& direction) const;
-  /// Touching counts as not holding.
+  /// Whether p is inside; touching does not count.
   bool holds(const Vec3d& p) const;
-  /// Nearer than this is touching.
+  /// Distances below this count as touching.
   double grain() const { return 1e-5 * reach() + 1e-6 * largest_coordinate(middle); }
 };
 
 class Footprint {
  public:
-  /// Nothing where the solid does not meet the flat shape.
+  /// Empty where the solid does not meet the flat shape.
   static std::optional<Footprint> of(const Solid& solid, const Quad& flat);
   static std::optional<Footprint> of(const Solid& solid, const Plane& flat);
 
-  /// Whether light that comes to the flat shape's front, or to its back, cannot land there.
+  /// Whether light cannot land there on the flat shape's front, or on its back.
   bool covers(bool behind) const { return behind ? back_ : front_; }
-  /// What the disc about p in the shape's plane has in common with it.
+  /// Area of the intersection with the disc about p in the shape's plane.
   double in_disc(const Vec3d& p, double radius) const;
   double area() const;
   bool overlaps(const Footprint& other) const;

@@ -1,4 +1,4 @@
-// What solids cover of flat shapes, against counting points.
+// The parts of flat shapes that solids cover, compared with counting points.
 
 #include "renderer/shapes/footprint.h"
 
@@ -23,7 +23,7 @@ Solid box_at(const Vec3d& middle) {
   return {middle, {Vec3d(0.5 * c, 0.5 * s, 0), Vec3d(-0.3 * s, 0.3 * c, 0), {0, 0, 0.2}}, 0};
 }
 
-/// Of a disc in the table's plane, by a grid, where `covered` holds on the table.
+/// Area of the part of a disc in the table's plane where `covered` holds on the table, by a grid.
 double counted(double x, double y, double radius, const std::function<bool(double, double)>& covered) {
   constexpr int n = 1500;
   int inside = 0;

@@ -1,4 +1,4 @@
-// A heightfield as the mesh that is traced in its place.
+// A heightfield as the mesh that rays meet in its place.
 #pragma once
 
 #include "renderer/textures/texture.h"

@@ -13,7 +13,7 @@ const LongFace* find_long_face(const LongFaces& faces, std::size_t primitive) {
 
 namespace {
 
-/// Of the segment from `start` along `edge` from the origin.
+/// Distance from the origin to the segment from `start` along `edge`.
 double segment_distance(const Vec3d& start, const Vec3d& edge) {
   const double along = std::clamp(-dot(start, edge) / dot(edge, edge), 0.0, 1.0);
   return length(start + edge * along);
@@ -30,7 +30,7 @@ double rim_distance(const LongFace& face) {
 
 bool holds(const LongFace& face, const Vec3d& p, double margin) {
   const Vec3d q = p - face.corner, n = cross(face.edge_u, face.edge_v);
-  // By volumes rather than in_basis, whose determinant cancels where the edges are nearly parallel.
+  // Volumes replace in_basis, whose determinant cancels where the edges are nearly parallel.
   const double nn = dot(n, n), u = dot(n, cross(q, face.edge_v)) / nn, v = dot(n, cross(face.edge_u, q)) / nn;
   const double low = -margin, high = 1 + margin;
   return u >= low && v >= low && (face.is_triangle ? u + v <= high : u <= high && v <= high);

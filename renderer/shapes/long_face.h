@@ -8,26 +8,26 @@
 
 namespace photonproof::inline renderer_shapes {
 
-/// A parallelogram or triangle that is so much longer than what is looked at that single precision loses the latter:
-/// corner + u edge_u + v edge_v as the description has it, in double.
+/// A parallelogram or triangle so much longer than the visible scene that single precision loses the latter. It is
+/// corner + u edge_u + v edge_v, in double, from the description.
 struct LongFace {
   Vec3d corner, edge_u, edge_v;
-  Vec3d normal;       ///< unit, in front
-  double offset = 0;  ///< normal . corner: of x on the face, normal . x, to the last digit of what is near the origin
+  Vec3d normal;       ///< unit, on the front
+  double offset = 0;  ///< normal . corner, the plane's offset, exact to the last digit of points near the origin
   bool is_triangle = false;
   std::uint32_t primitive = 0;  ///< the triangle of a mesh
 };
 
-/// Of a mesh, by primitive.
+/// The long faces of a mesh, by primitive.
 using LongFaces = std::shared_ptr<const std::vector<LongFace>>;
-/// Null where that primitive is none, or there are none.
+/// Null where that primitive is not a long face, or there are none.
 const LongFace* find_long_face(const LongFaces& faces, std::size_t primitive);
-/// Edges are widened by this part of their length, so that nothing slips between two faces that share one: ten times
-/// what rounding in double precision makes of points in them.
+/// Edges are widened by this part of their length, so that nothing slips between two faces that share one. It is ten
+/// times the rounding error of points on them in double precision.
 inline constexpr double long_face_margin = 2e-15;
-/// Of its edges from the origin.
+/// Distance of its edges from the origin.
 double rim_distance(const LongFace& face);
-/// Whether a point of its plane is within its edges, up to this part of their length.
+/// Whether a point of its plane is within its edges, widened by this part of their length.
 bool holds(const LongFace& face, const Vec3d& p, double margin);
 
 double hit_distance(const LongFace& face, const ShapeRay& ray);

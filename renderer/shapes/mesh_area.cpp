@@ -44,16 +44,16 @@ struct Polygon {
   }
 };
 
-/// The plane of a polygon about the origin, and what the ball cuts out of it.
+/// The plane of a polygon about the origin, and the circle that the ball cuts out of it.
 struct CutPlane {
   Vec3d across;    ///< along the normal
-  double length;   ///< of it
+  double length;   ///< of `across`
   double above2;   ///< squared distance from the origin
   double circle2;  ///< squared radius of the circle, above 0
 };
 
-/// What the polygon has in the circle: half the sum of p x q over what each edge has in it, from p to q, and of the
-/// sectors between where one edge leaves and the next enters.
+/// Area of the polygon in the circle: half the sum of two parts. One is p x q over each edge's part in the circle, from
+/// p to q. The other is the sectors between where one edge leaves and the next enters.
 double area_in_circle(const Polygon& polygon, const CutPlane& plane) {
   constexpr double tiny_angle = 1e-6;  // rounding decides whether it is 0 or a full turn
   const double radius2 = plane.circle2 + plane.above2, unit = 1 / (plane.circle2 * plane.length);
@@ -113,7 +113,7 @@ double area_in_circle(const Polygon& polygon, const CutPlane& plane) {
   return (chords + angles) * plane.circle2 / 2;
 }
 
-/// Of a triangle, given relative to the ball's centre, what is in the ball and within `height` of the plane through the
+/// Area of a triangle, given relative to the ball's centre, in the ball and within `height` of the plane through the
 /// centre.
 double area_within(const Corners& corners, double radius, const Vec3d& plane_normal, double height) {
   double farthest2 = 0, highest = -height, lowest = height;
@@ -226,7 +226,7 @@ void MeshArea::fill(std::size_t leaf) {
   }
 }
 
-/// Finds what the node holds and, above the leaves, moves the lower half along its widest axis to the front.
+/// Computes the node's contents and, above the leaves, moves the lower half along its widest axis to the front.
 void MeshArea::bound(int level, std::size_t k) {
   const auto at = [&](std::size_t i) { return items_.begin() + static_cast<std::ptrdiff_t>(i); };
   const std::size_t begin = begin_of(level, k), end = begin_of(level, k + 1);

@@ -1,6 +1,6 @@
-// What disc_area (shape.h) is for the other shapes, for triangle meshes: the area of the mesh within the gather radius
-// whose photons pass the surface side's test. A balanced tree over the triangles, whose nodes know their bounds, their
-// area and a cone of their normals, so that a gather takes or leaves most nodes whole; triangles on the border are
+// The counterpart of disc_area (shape.h) for triangle meshes: the area of the mesh within the gather radius whose
+// photons pass the surface side's test. It is a balanced tree over the triangles. Nodes have their bounds, their area
+// and a cone of their normals, so that a gather accepts or rejects most nodes whole; triangles on the border are
 // clipped.
 #pragma once
 
@@ -18,9 +18,9 @@ class MeshArea {
   /// `mesh` must outlive this. The same at any number of threads.
   MeshArea(const Mesh& mesh, const Threads& threads);
 
-  /// For a gather at p of the mesh's own space with the unit front normal there. Exact but for triangles and flat
-  /// groups of them that are smaller than a sixteenth of the radius: those on the border count whole where their middle
-  /// is within, which is right in the mean.
+  /// The area for a gather at p of the mesh's own space with the unit front normal there. It is exact except for
+  /// triangles, and flat groups of them, smaller than a sixteenth of the radius. Those on the border count whole where
+  /// their middle is within, which is right in the mean.
   double within(const Vec3f& p, const Vec3f& front_normal, float radius) const;
 
   /// The same in world space, where `placement` puts the mesh.
@@ -34,17 +34,17 @@ class MeshArea {
     std::uint32_t triangle = 0;
     Vec3f front;  ///< side_normal, not unit
     float area = 0;
-    float reach = 0;  ///< of its corners, from the middle
+    float reach = 0;  ///< largest distance of its corners from the middle
   };
   struct Node {
     Vec3f low, high;
     float area = 0;
-    Vec3f axis;        ///< of the cone that holds the triangles' normals, unit
-    float cosine = 1;  ///< of the cone's half angle; below 0 where there is no telling
-    float sine = 0;    ///< of the same
+    Vec3f axis;        ///< axis of the cone that holds the triangles' normals, unit
+    float cosine = 1;  ///< cosine of the cone's half angle; below 0 where it is unknown
+    float sine = 0;    ///< sine of the half angle
   };
   static constexpr std::size_t most_in_leaf = 8;
-  /// Items, each member of all of them in a row. Where there are fewer, the others have no front, and so never count.
+  /// Items, each member of all of them in a row. Unused items have no front, and so never count.
   struct Leaf {
     std::size_t count = 0;
     std::array<float, most_in_leaf> x{}, y{}, z{}, front_x{}, front_y{}, front_z{}, area{}, reach{};

@@ -1,4 +1,4 @@
-// The areas that gathers on meshes divide by, against the shapes that the meshes make up and against counting.
+// The areas that gathers on meshes divide by, compared with the shapes that the meshes approximate and with counting.
 
 #include "renderer/shapes/mesh_area.h"
 
@@ -28,8 +28,8 @@ Vec3f normal_of(const Mesh& mesh, std::uint32_t t) {
   return Vec3f(normalize(cross(b - a, c - a)));
 }
 
-/// By the definition: the triangles cut into pieces, each of which counts or does not. `unsure`: the area of those
-/// whose normal is so near the limit that rounding decides.
+/// Area by the definition: the triangles are cut into pieces, each of which counts or does not. `unsure`: the area of
+/// pieces whose normal is so near the limit that rounding decides.
 double counted(const Mesh& mesh, const Vec3f& p, const Vec3f& normal, double radius, double piece, double* unsure) {
   double area = 0;
   *unsure = 0;

@@ -1,4 +1,4 @@
-// Balls that light paths are sent into, and the cones in which they are seen.
+// Balls that light paths aim at, and the cones in which the balls are seen.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,7 @@
 
 namespace photonproof::inline renderer_shapes {
 
-/// A ball that holds what is aimed at.
+/// A ball that encloses a target of light paths.
 struct ProjectionTarget {
   Vec3f center;
   float radius = 0;
@@ -20,8 +20,8 @@ struct ProjectionCone {
   Vec3<F> axis;     ///< unit
   F one_minus_cos;  ///< of the half-angle; 2, every direction, from within the ball
 
-  /// Of a unit direction; one that was drawn in it is, whatever rounding made of it. By the chord, since cosines near 1
-  /// tell no angles below 3e-4: |a - b|^2 = 2 (1 - cos).
+  /// Whether the cone holds a unit direction; one that was sampled in it counts as inside in spite of rounding. Tested
+  /// by the chord, |a - b|^2 = 2 (1 - cos), since cosines near 1 resolve no angles below 3e-4.
   Mask<F> holds(const Vec3<F>& direction) const {
     constexpr float rounding = 4e-7f;
     const Vec3<F> apart = direction - axis;
@@ -41,24 +41,24 @@ ProjectionCone<F> cone_towards(const Vec3<F>& center, const F& radius, const Vec
   return {select(distance2 > 0, axis, Vec3<F>(F(0.0f), F(0.0f), F(1.0f))), select(outside, narrow, F(2.0f))};
 }
 
-/// From so many radii on a direction in single precision may miss a ball.
+/// From this many radii on, a direction in single precision may miss a ball.
 inline constexpr float too_far_for_directions = 4096;
 
-/// A path's line from a light's point into a ball. From too far away `point` is where it is nearest to the ball's
+/// A path's line from a light's point into a ball. From too far away `point` is the line's nearest point to the ball's
 /// centre, else the light's own.
 template <class F>
 struct AimedLine {
   Vec3<F> point, direction;  ///< unit
 };
 
-/// A line that was drawn through the ball does, whatever rounding made of it.
+/// Whether a line meets the ball; one that was sampled through it counts as meeting it in spite of rounding.
 template <class F>
 Mask<F> meets(const AimedLine<F>& line, const Vec3<F>& center, const F& radius) {
   constexpr float rounding = 1 + 1e-6f;
   return length(cross(Vec3<F>(line.point - center), line.direction)) <= rounding * radius;
 }
 
-/// Uniformly over the cone that the ball is seen in from p, as `projection_pdf` says.
+/// Samples uniformly in the cone in which the ball is seen from p, with the density `projection_pdf`.
 template <class F>
 AimedLine<F> aimed_line(const Vec3<F>& center, const F& radius, const Vec3<F>& p, const Vec2<F>& u) {
   const ProjectionCone<F> cone = cone_towards(center, radius, p);
@@ -71,7 +71,7 @@ AimedLine<F> aimed_line(const Vec3<F>& center, const F& radius, const Vec3<F>& p
   return {select(too_far, near_center, p), normalize(frame.to_world(local))};
 }
 
-/// Per solid angle at p; of other lines from p `point` is any that is near the ball if it meets it.
+/// Density per solid angle at p. For other lines from p, `point` is any point near the ball if the line meets it.
 template <class F>
 F projection_pdf(const Vec3<F>& center, const F& radius, const Vec3<F>& p, const AimedLine<F>& line) {
   const ProjectionCone<F> cone = cone_towards(center, radius, p);

@@ -1,4 +1,4 @@
-// Which directions a cone holds, from balls so near that they fill the view to balls that are 1e-6 of it.
+// The directions in a cone, from balls so near that they fill the view to balls that are 1e-6 of it.
 #include "renderer/shapes/projection_cone.h"
 
 #include <gtest/gtest.h>
@@ -23,7 +23,7 @@ TEST(projection_cone, holds_what_is_drawn_in_it_and_little_else_however_narrow_i
       const ProjectionCone<float> cone = cone_towards<float>(p + away * static_cast<float>(distance), 1, p);
       const Frame<float> frame(cone.axis);
       lost += cone.holds(normalize(frame.to_world(square_to_cone(random.next2(), cone.one_minus_cos)))) ? 0 : 1;
-      // A twentieth of the angle outside, and what rounding may be.
+      // A twentieth of the angle outside, plus the rounding error.
       const double wide = 1.05 * angle + 1e-6, turn = 6.28 * double{random.next()};
       const Vec3d outside{std::sin(wide) * std::cos(turn), std::sin(wide) * std::sin(turn), std::cos(wide)};
       strays += cone.holds(normalize(frame.to_world(Vec3f(outside)))) ? 1 : 0;

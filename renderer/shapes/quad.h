@@ -1,11 +1,11 @@
-// Parallelograms: rectangles and the faces of cubes. Embree knows where rays meet them.
+// Parallelograms: rectangles and the faces of cubes. Embree intersects rays with them.
 #pragma once
 
 #include "renderer/shapes/shape.h"
 
 namespace photonproof::inline renderer_shapes {
 
-/// corner + u edge_u + v edge_v for u, v in [0,1]; `normal` = edge_u x edge_v, normalised, flipped where the file says.
+/// corner + u edge_u + v edge_v for u, v in [0,1]; `normal` = edge_u x edge_v, normalised, flipped by flip_normals.
 struct Quad {
   Vec3f corner, edge_u, edge_v;
   Vec3f normal;

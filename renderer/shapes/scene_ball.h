@@ -1,4 +1,4 @@
-// The ball around a scene, which light from infinity enters it through.
+// The ball around a scene, through which light from infinity enters it.
 #pragma once
 
 #include <vector>
@@ -7,7 +7,7 @@
 
 namespace photonproof::inline renderer_shapes {
 
-/// A ball that holds a scene.
+/// A ball that encloses a scene.
 struct SceneBall {
   Vec3f center;
   float radius = 1;
@@ -15,7 +15,7 @@ struct SceneBall {
 
 /// Around each surface; empty around infinite ones.
 std::vector<ShapeBox> boxes_around(const std::vector<Surface>& surfaces);
-/// Holds all boxes. With none, radius 1 around the origin.
+/// Encloses all boxes. With none, radius 1 around the origin.
 SceneBall scene_ball(const std::vector<ShapeBox>& boxes);
 
 }  // namespace photonproof::inline renderer_shapes

@@ -18,8 +18,8 @@ struct ShapePlace {
   [[noreturn]] void refuse(const std::string& why) const;
   /// Refuses a to_world that stretches or shears.
   void require_similarity() const;
-  /// Of the plane of two edges that to_world made of the local x and y axes: the inverse transpose's, which a mirroring
-  /// transform does not turn over as it does the winding.
+  /// Normal of the plane of two edges that are to_world's images of the local x and y axes. It is the inverse
+  /// transpose's; a mirroring transform does not turn it over as it does the winding.
   Vec3d flat_normal(const Vec3d& edge_u, const Vec3d& edge_v) const;
 };
 
@@ -27,7 +27,7 @@ template <class Shape>
 struct PlacedShape {
   Shape shape;
   AffineMap uv_frame;          ///< from its own space, where it is of unit size
-  std::optional<double> area;  ///< none of a shape without end
+  std::optional<double> area;  ///< empty for an endless shape
 };
 
 /// The frame of a flat shape: its two edges and, across it, a unit normal.

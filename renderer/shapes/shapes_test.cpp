@@ -1,4 +1,4 @@
-// Discs, cylinders, planes, heightfields and smooth meshes: where rays meet them, their uv and their normals.
+// Discs, cylinders, planes, heightfields and smooth meshes: their hits, uv and normals.
 
 #include <gtest/gtest.h>
 
@@ -153,7 +153,7 @@ TEST(uv, of_a_disk_are_radius_and_angle) {
   EXPECT_NEAR(at.uv.x, 0.5f, 1e-6f);
   EXPECT_NEAR(at.uv.y, 0.75f, 1e-6f);
   EXPECT_NEAR(length(at.dp_du - Vec3f(0, -1, 0)), 0, 1e-6f);
-  // p = (u cos 2 pi v, u sin 2 pi v): dp/dv is 2 pi u long. Mitsuba 3.9.1 says the same.
+  // p = (u cos 2 pi v, u sin 2 pi v): dp/dv is 2 pi u long, as in Mitsuba 3.9.1.
   EXPECT_NEAR(length(at.dp_dv - Vec3f(pi, 0, 0)), 0, 1e-6f);
 }
 
@@ -185,7 +185,7 @@ TEST(uv, of_a_cube_are_those_of_mitsubas_faces) {
   }
 }
 
-/// Of amplitude 0.5 and the image's heights.
+/// A heightfield of amplitude 0.5 with the image's heights.
 TriangleMesh heightfield_of(const std::shared_ptr<Image>& image, int columns, int rows) {
   HeightfieldDescription field;
   field.columns = columns;

@@ -27,7 +27,7 @@ double hit_distance(const Sphere& sphere, const ShapeRay& ray) {
   const double root = std::sqrt(discriminant / a);
   const double nearest_t = std::max(ray.t_near, grain_of_ray(ray, radius + largest_coordinate(sphere.center)));
   const double middle = b / a, t0 = middle - root;
-  // What leaves the inner side meets the other end of its chord; an end on the front is hidden by the near side alone.
+  // A ray that leaves the inner side meets the other end of its chord; only the near side hides an end on the front.
   if (ray.on_light == OnLight::starts)
     return 2 * middle >= nearest_t && 2 * middle <= ray.t_far ? 2 * middle : shape_missed;
   if (ray.on_light == OnLight::ends) return t0 >= nearest_t && middle <= ray.t_far ? t0 : shape_missed;
@@ -56,7 +56,7 @@ LocalGeometry local_geometry(const Sphere&, const AffineMap& frame, const Vec3f&
           normal};
 }
 
-// At the angle a from p the sphere is 2 R sin(a/2) away from p and R (1 - cos a) from its tangent plane; the cap has
+// At the angle a from p the sphere is 2 R sin(a/2) away from p and R (1 - cos a) from its tangent plane. The cap has
 // the area 2 pi R^2 (1 - cos a).
 float disc_area(const Sphere& sphere, const Vec3f&, float radius) {
   const double big = sphere.radius, chord = double{radius} / big;

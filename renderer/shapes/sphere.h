@@ -10,8 +10,7 @@ struct SphereDescription;
 namespace photonproof::inline renderer_shapes {
 
 struct Sphere {
-  Vec3d
-      center;  ///< in double, as the radius: of a floor as large as a planet single precision keeps no part that shows
+  Vec3d center;  ///< in double, as the radius: single precision resolves no visible part of a planet-sized floor
   double radius;
   bool inward;  ///< the normal points to the centre
   static constexpr bool is_round = true;
@@ -28,7 +27,7 @@ float disc_area(const Sphere& sphere, const Vec3f& p, float radius);
 PlacedShape<Sphere> placed(const SphereDescription& description, const ShapePlace& place);
 Extent extent_of(const SphereDescription& description, const Transform& to_world);
 Vec3d nearest_on(const SphereDescription& description, const Transform& to_world, const Vec3d& to);
-/// Of the ball around `center`.
+/// Point nearest to `to` on the ball around `center`.
 Vec3d nearest_on_ball(const Vec3d& center, double radius, const Vec3d& to);
 
 }  // namespace photonproof::inline renderer_shapes

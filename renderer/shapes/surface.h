@@ -1,5 +1,5 @@
-// The surfaces rays meet: parallelograms (rectangles, faces of cubes), spheres, discs, cylinders and planes, each as
-// itself, and meshes, which may also be copies placed by a transform.
+// The surfaces that rays meet: parallelograms (rectangles, faces of cubes), spheres, discs, cylinders and planes as
+// themselves, and meshes, which may also be copies placed by a transform.
 #pragma once
 
 #include <cstdint>
@@ -21,9 +21,9 @@ namespace photonproof::inline renderer_shapes {
 struct Mesh {
   std::vector<Vec3f> positions;  ///< world space, with one spare at the end, which Embree's 16-byte reads touch
   std::shared_ptr<const TriangleMesh> source;
-  bool inward = false;         ///< the normal is opposite to the winding's
-  std::vector<Vec3f> normals;  ///< a vertex, unit, on the side of the winding's; empty where the mesh is flat
-  bool flip_v = false;         ///< the source's v counts from the other end
+  bool inward = false;         ///< The normal is opposite to the winding's.
+  std::vector<Vec3f> normals;  ///< One per vertex, unit, on the side of the winding's; empty where the mesh is flat.
+  bool flip_v = false;         ///< The source's v counts from the other end.
 
   std::size_t triangle_count() const { return source->triangles.size(); }
   Vec3f corner(std::size_t triangle, std::size_t k) const { return positions[source->triangles[triangle][k]]; }
@@ -36,22 +36,22 @@ ShapeBox box_around(const Mesh& mesh);
 /// A mesh that several instances share. Its normals and winding are those of its local space.
 struct MeshInstance {
   std::shared_ptr<const Mesh> mesh;
-  std::shared_ptr<const AffineMap> placement;  ///< of all meshes of the instance
+  std::shared_ptr<const AffineMap> placement;  ///< common to all meshes of the instance
   std::uint32_t instance = 0;                  ///< number of the instance in the scene
-  std::uint32_t group = 0, part = 0;           ///< the group, and which of its meshes
+  std::uint32_t group = 0, part = 0;           ///< the group, and the index of the mesh in it
   static constexpr bool is_round = false;
   float curvature_radius() const { return 0; }
   bool sees_itself(bool) const { return true; }
 };
 ShapeBox box_around(const MeshInstance& copy);
 
-/// The shapes that end somewhere and that Embree does not know, and others: one row a shape.
+/// The finite shapes that Embree does not have, and others: one row per shape.
 template <template <class...> class List, class... Other>
 using SolvedShapes = List<Sphere, Disk, Cylinder, Other...>;
 
 using Geometry = SolvedShapes<std::variant, Quad, Mesh, Plane, MeshInstance>;
 
-/// The mesh that it is or is a copy of; null for other shapes.
+/// The mesh of a mesh or of a copy of one; null for other shapes.
 const Mesh* mesh_of(const Geometry& geometry);
 
 struct Surface {
@@ -62,12 +62,12 @@ struct Surface {
   std::uint32_t uv_frame = no_index;                       ///< index into the detail's frames; a mesh has none
   LongFaces long_faces = {};                               ///< null where there are none
 
-  /// Null where that primitive is none.
+  /// Null where that primitive is not a long face.
   const LongFace* long_face(std::size_t primitive) const { return find_long_face(long_faces, primitive); }
 };
 
-/// Of each surface the number of its first face among those of all lights, which are the triangles of meshes and other
-/// shapes as a whole; no_index where it does not emit.
+/// Number of each surface's first face among those of all lights; no_index where it does not emit. Faces are the
+/// triangles of meshes and other shapes as a whole.
 std::vector<std::uint32_t> light_faces(const std::vector<Surface>& surfaces);
 
 }  // namespace photonproof::inline renderer_shapes

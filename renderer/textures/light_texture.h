@@ -1,4 +1,4 @@
-// What lights know of textures: a function of uv.
+// Textures as lights use them: a function of uv.
 #pragma once
 
 #include <functional>

@@ -10,7 +10,7 @@ namespace {
 
 float luminance(const Rgb& c) { return 0.212671f * c.x + 0.715160f * c.y + 0.072169f * c.z; }
 
-/// The texel that stands for number i of a row of n.
+/// The texel for number i of a row of n.
 int wrapped(int i, int n, TextureWrap wrap) {
   if (wrap == TextureWrap::clamp) return std::clamp(i, 0, n - 1);
   const int turn = i >= 0 ? i / n : -((n - 1 - i) / n);
@@ -18,7 +18,7 @@ int wrapped(int i, int n, TextureWrap wrap) {
   return wrap == TextureWrap::mirror && turn % 2 != 0 ? n - 1 - within : within;
 }
 
-/// A coordinate of the same texels that is small enough to be counted in them.
+/// An equivalent coordinate, small enough to be counted in texels.
 float reduced(float t, TextureWrap wrap) {
   if (!std::isfinite(t)) return 0;
   if (wrap == TextureWrap::clamp) return std::clamp(t, -1.0f, 2.0f);
@@ -26,7 +26,7 @@ float reduced(float t, TextureWrap wrap) {
   return t - period * std::floor(t / period);
 }
 
-/// Whole periods far from the origin would cost the texels their precision; 0: there is no period.
+/// Removes whole periods, which far from the origin would cost the texels their precision; 0: there is no period.
 float without_far_periods(double moved, double period) {
   constexpr double far = 64;
   if (has_fault(NumericFault::far_periods)) return static_cast<float>(moved);

@@ -13,7 +13,7 @@ namespace photonproof::inline renderer_textures {
 /// The part of a transform that moves uv: columns of the linear part and the translation.
 struct UvTransform {
   Vec2<float> along_u{1, 0}, along_v{0, 1}, moved;
-  /// Of a texture that repeats itself after `period`; 0: it does not.
+  /// The transform for a texture that repeats itself after `period`; 0: it does not.
   UvTransform(const Transform& to_uv, double period);
   Vec2<float> apply(const Vec2<float>& uv) const {
     return {along_u.x * uv.x + along_v.x * uv.y + moved.x, along_u.y * uv.x + along_v.y * uv.y + moved.y};
@@ -51,9 +51,9 @@ class Textures {
   explicit Textures(const std::vector<TextureDescription>& descriptions);
 
   Rgb colour(std::uint32_t texture, const Vec2<float>& uv) const;
-  /// The colour's luminance (Rec. 709), as Mitsuba makes a number of a colour.
+  /// The colour's luminance (Rec. 709), as Mitsuba converts a colour to a number.
   float number(std::uint32_t texture, const Vec2<float>& uv) const;
-  /// Of `number`, by u and v; 0 where it jumps.
+  /// Derivatives of `number` by u and v; 0 where it jumps.
   Vec2<float> gradient(std::uint32_t texture, const Vec2<float>& uv) const;
   std::size_t bytes() const;
 
@@ -67,7 +67,7 @@ class Textures {
     UvTransform to_uv;
   };
   static Colour2 compile(const Colour& colour);
-  /// Which of the checkerboard's colours.
+  /// The colour of a checkerboard's square.
   static const Colour2& square(const Checkerboard& board, const Vec2<float>& uv);
 
   std::vector<std::variant<BitmapTexture, Checkerboard>> textures_;

@@ -1,4 +1,4 @@
-// Where a texture's value goes in the record of a BSDF.
+// The place of a texture's value in the record of a BSDF.
 #pragma once
 
 #include <cstdint>

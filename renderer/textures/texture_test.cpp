@@ -1,4 +1,4 @@
-// Texture gathers: filters, wrapping, orientation, transforms, gradients. Expected numbers are worked out by hand.
+// Textures: filters, wrapping, orientation, transforms, gradients. Expected numbers are derived by hand.
 
 #include "renderer/textures/texture.h"
 
@@ -107,7 +107,7 @@ TEST(checkerboard, alternates_on_half_units) {
 }
 
 TEST(checkerboard, is_looked_up_at_the_transformed_uv) {
-  // uv' = (3 u + 0.25, 2 v - 0.25): of the corners of a step of 0.2 each lies on another side when u and v, scale and
+  // uv' = (3 u + 0.25, 2 v - 0.25). Each corner of a step of 0.2 lies on another side when u and v, scale and
   // translation or a sign are swapped.
   const Transform to_uv = Transform::translate({0.25, -0.25, 0}) * Transform::scale({3, 2, 1});
   const std::vector<TextureDescription> board{{{}, "", CheckerboardDescription{RgbD(1), RgbD(0.25), to_uv}}};

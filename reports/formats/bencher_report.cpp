@@ -1,5 +1,5 @@
-// A benchmark is an engine on a scene at a budget. Where the harness drew conclusions over seeds, those are the
-// measures, with their intervals; else each cell is its own benchmark, seed included. Gates are benchmarks too.
+// A benchmark is an engine on a scene at a budget. Its measures are the harness's conclusions over seeds, with their
+// intervals. Without conclusions each cell is its own benchmark, seed included. Gates are benchmarks too.
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
@@ -31,7 +31,7 @@ void set(json& benchmark, const std::string& name, const std::optional<Estimate>
   if (estimate) benchmark[name] = measure(*estimate);
 }
 
-/// Bencher takes 1024 bytes of a benchmark's name.
+/// Bencher limits a benchmark's name to 1024 bytes.
 std::string name_of(const std::string& text) { return reports::shortened(reports::printable(text), 1024); }
 
 bool has_curve(const Results& results, const Cell& cell) {

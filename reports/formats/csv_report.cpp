@@ -1,10 +1,10 @@
-// One number a row, so that a row means the same whatever is recorded, and a spreadsheet or data frame can pivot it:
+// One number per row, so that a row always means the same, and a spreadsheet or data frame can pivot it. The columns:
 //   record    cell, curve, gate or change
 //   name      of a gate
 //   quantity  a metric, wall_seconds, relmse, observed, ratio ...
 //   value     in full; low and high are the ends of its 95 % interval, empty when none is known
 //   outcome   how a cell ended, a gate's verdict, a budget's (right, noisy, biased, unknown), a change's kind
-//   text      why, in a sentence
+//   text      the reason, in a sentence
 // A cell that did not finish is one row without a value.
 #include <fmt/format.h>
 
@@ -72,7 +72,7 @@ void add_cell_rows(Table& table, const Result& result) {
   table.add_if(subject, "instructions", estimate(result.instructions));
 }
 
-/// An empty value with the reason as its text where there is one.
+/// Adds the estimate; without one, an empty value with the reason as its text if there is a reason.
 void add_or_why(Table& table, Subject subject, const std::string& quantity, const std::optional<Estimate>& estimate,
                 const Reasons& undefined) {
   const auto why = undefined.find(quantity);
@@ -81,7 +81,7 @@ void add_or_why(Table& table, Subject subject, const std::string& quantity, cons
   table.add(subject, quantity, estimate);
 }
 
-/// Named by the error, as "relmse=0.001"; of a time that is only known to be more, or less, the reason says so.
+/// The target is named by its error, as "relmse=0.001". If only a bound on the time is known, the reason gives it.
 void add_target(Table& table, Subject subject, const TargetTime& target) {
   subject.name = fmt::format("relmse={}", target.relmse);
   if (target.more_than)

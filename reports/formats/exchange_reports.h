@@ -1,5 +1,5 @@
-// The record in formats that other programs read. Each function replaces `out` as a whole and throws InputError when it
-// cannot be written; none looks at the pictures.
+// Writes the record in formats for other programs. Each function replaces `out` as a whole and throws InputError when
+// it cannot be written; none reads the pictures.
 #pragma once
 
 #include <filesystem>
@@ -8,15 +8,15 @@
 
 namespace photonproof::inline reports_formats {
 
-/// RFC 4180, one number a row: of cells, convergence, gates and changes (csv_report.cpp has the columns).
+/// RFC 4180, one number per row, for cells, convergence, gates and changes (csv_report.cpp lists the columns).
 void write_csv_report(const Results& results, const std::filesystem::path& results_folder,
                       const std::filesystem::path& out);
 
-/// LaTeX tables for \input, made with the package booktabs.
+/// LaTeX tables for \input, which need the package booktabs.
 void write_latex_report(const Results& results, const std::filesystem::path& results_folder,
                         const std::filesystem::path& out);
 
-/// JUnit XML as Jenkins' junit-10.xsd has it: a testsuite a scene, a testcase a gate, change or cell.
+/// JUnit XML by Jenkins' junit-10.xsd: one testsuite per scene, one testcase per gate, change or cell.
 void write_junit_report(const Results& results, const std::filesystem::path& results_folder,
                         const std::filesystem::path& out);
 

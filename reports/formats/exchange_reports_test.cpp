@@ -23,7 +23,7 @@ std::string written(const char* format, const Results& results) {
   return file_text(folder.path() / "out");
 }
 
-/// Every text of the record becomes `evil`, names keep a part of their own so that they stay different.
+/// Replaces every text of the record by `evil`; names keep a distinct part.
 Results hostile(const std::string& evil) {
   Results results = sample_conclusions();
   results.suite = results.command = results.created = evil;
@@ -79,7 +79,7 @@ std::vector<std::vector<std::string>> parsed_csv(const std::string& text) {
       cell += text[i];
     }
   }
-  rows.pop_back();  // what follows the last line end
+  rows.pop_back();  // the text after the last line end
   return rows;
 }
 
@@ -108,7 +108,7 @@ TEST(CsvReport, no_text_is_a_spreadsheets_formula) {
 
 TEST(LatexReport, reads_like_its_snapshot) { expect_snapshot("sample.tex", written("latex", sample_conclusions())); }
 
-/// Occurrences of `what` that no odd number of backslashes precedes.
+/// Occurrences of `what` after an even number of backslashes.
 std::size_t unescaped(const std::string& text, char what) {
   std::size_t n = 0;
   bool escaped = false;
@@ -121,7 +121,7 @@ std::size_t unescaped(const std::string& text, char what) {
 
 TEST(LatexReport, rows_are_whole_and_text_of_the_record_is_no_command) {
   const std::string text = written("latex", hostile("\\input{x} $a_b^c$ 100% #1 & ~ } \\"));
-  EXPECT_EQ(count(text, "\\input"), 3u);  // inside the comments on top, where it does nothing
+  EXPECT_EQ(count(text, "\\input"), 3u);  // inside the comments at the top, where it does nothing
   EXPECT_EQ(count(text, "\\textbackslash{}input\\{x\\}"), count(text, "textbackslash{}input"));
   std::istringstream lines(text);
   std::string line;
@@ -138,8 +138,8 @@ TEST(LatexReport, rows_are_whole_and_text_of_the_record_is_no_command) {
       ++rows;
     }
   }
-  // Four heads; three cells of box that are shown (no label names the reference any more) and one of hole; two points;
-  // one slope, with each of two targets; three gates.
+  // Four heads. Three visible cells of box and one of hole, as no label names the reference any more. Two points; one
+  // slope with each of two targets. Three gates.
   EXPECT_EQ(rows, 4u + 4u + 2u + 2u + 3u);
 }
 
@@ -147,7 +147,7 @@ TEST(LatexReport, rows_are_whole_and_text_of_the_record_is_no_command) {
 constexpr const char* symbols =
     "− × · ± ≤ ≥ ≈ ≠ √ ∞ → ← ↑ ↓ α ρ σ χ µ ° † – — … ’ “ ” \u202F 10⁻³ é \u4E2D\u6587 ✓ ✕ ▲";
 
-// pdflatex stops at a character that it does not know, or leaves it out: then a bound reads as a value.
+// pdflatex stops at an unknown character or leaves it out, and then a bound reads as a value.
 TEST(LatexReport, is_ascii_and_loses_no_symbol) {
   const std::string text = written("latex", hostile(symbols));
   const auto other = std::ranges::find_if(text, [](unsigned char c) { return c >= 0x80; });
@@ -202,7 +202,7 @@ TEST(JunitReport, reads_like_its_snapshot) {
   expect_snapshot("sample.junit.xml", written("junit", sample_conclusions()));
 }
 
-/// What Jenkins' junit-10.xsd allows: for each element its attributes (required ones with '!') and its children.
+/// Rules of Jenkins' junit-10.xsd: for each element its attributes (required ones with '!') and its children.
 struct Rule {
   std::set<std::string> attributes, children;
 };
@@ -255,8 +255,7 @@ TEST(JunitReport, follows_the_schema_whatever_the_texts_are) {
   }
 }
 
-/// What users' tools do: validates a report against the schema, by xmllint, and returns its last words when it is
-/// refused.
+/// Validates a report against the schema by xmllint, as users' tools do, and returns its last message if it is refused.
 std::string refused_by_schema(const std::string& report) {
   const TemporaryFolder folder;
   const std::string file = (folder.path() / "junit.xml").string();
@@ -277,7 +276,7 @@ TEST(JunitReport, xmllint_finds_it_valid) {
   }
 }
 
-// Status 3 is xmllint's for a document that is well-formed but does not follow the schema.
+// xmllint returns status 3 for a well-formed document that does not follow the schema.
 TEST(JunitReport, xmllint_refuses_an_attribute_in_the_wrong_place) {
   if (!has_xmllint()) GTEST_SKIP() << "xmllint is not here (Debian: libxml2-utils)";
   const std::string good = written("junit", sample_conclusions());
@@ -314,8 +313,8 @@ TEST(JunitReport, counts_what_failed_and_what_was_not_decided) {
   pugi::xml_document document;
   ASSERT_TRUE(document.load_string(written("junit", sample_conclusions()).c_str()));
   const pugi::xml_node root = document.child("testsuites");
-  // Three gates, two changes and five cells, the reference not among them. A gate fails and a change is a regression;
-  // the timeout is an error; an inconclusive gate is skipped.
+  // Three gates, two changes and five cells without the reference. A gate fails and a change is a regression. The
+  // timeout is an error, and an inconclusive gate is skipped.
   EXPECT_EQ(root.attribute("tests").as_int(), 10);
   EXPECT_EQ(root.attribute("failures").as_int(), 2);
   EXPECT_EQ(root.attribute("errors").as_int(), 1);
@@ -345,7 +344,7 @@ TEST(GbenchReport, seeds_are_repetitions_and_no_counter_hides_a_time) {
     EXPECT_GT(run.at("real_time").get<double>(), 0);
     if (run.at("name") == "box/photon/photons=20000") runs.push_back(run);
   }
-  EXPECT_EQ(all.at("benchmarks").size(), 6u);  // seven cells, of which one timed out
+  EXPECT_EQ(all.at("benchmarks").size(), 6u);  // seven cells, one of them timed out
   ASSERT_EQ(runs.size(), 2u);
   EXPECT_EQ(runs[0].at("real_time"), 4500);  // 4.5 s in ms
   EXPECT_EQ(runs[0].at("repetitions"), 2);

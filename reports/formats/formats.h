@@ -1,4 +1,4 @@
-// The report formats. A format is a file with a writer and a row of the table in formats.cpp.
+// The report formats. Each has a file with a writer and a row in the table in formats.cpp.
 #pragma once
 
 #include <filesystem>
@@ -18,7 +18,7 @@ struct ReportFormat {
 
 std::span<const ReportFormat> report_formats();
 
-/// Throws InputError naming the formats there are.
+/// Throws InputError listing the formats.
 const ReportFormat& report_format(std::string_view name);
 
 }  // namespace photonproof::inline reports_formats

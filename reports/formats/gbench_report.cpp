@@ -1,5 +1,5 @@
-// Only cells that finished and were timed are listed: compare.py takes the geometric mean of all times. Metrics, memory
-// and counts are user counters. Seeds are repetitions of one name, which compare.py's U test wants.
+// Lists only cells that finished and were timed, since compare.py takes the geometric mean of all times. Metrics,
+// memory and counts are user counters. Seeds are repetitions of one name, as compare.py's U test needs.
 #include <map>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -23,7 +23,7 @@ bool is_timed(const Result& result) {
 
 std::string run_name(const Cell& cell) { return printable(cell.scene + "/" + cell.engine + "/" + cell.budget.label()); }
 
-/// The names this format gives meaning to: a counter of that name would replace a time.
+/// The names with a meaning in this format: a counter of that name would replace a time.
 const std::set<std::string>& own_names() {
   static const std::set<std::string> names{"name",
                                            "run_name",

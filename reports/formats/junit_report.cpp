@@ -1,7 +1,7 @@
-// A testcase's outcome: a gate whose images fail and a regression are a `failure`; a cell that did not finish, and a
-// gate whose engine crashed, hung or could not be started, are an `error`; and what was not decided (an inconclusive
-// gate or change, an unsupported cell) is `skipped`, each with its sentence. The schema has properties on testsuites
-// only, so metrics are named by the testcase they belong to: "case: metric".
+// A testcase's outcome is an element with its sentence. A gate whose images fail and a regression are a `failure`. A
+// cell that did not finish, and a gate whose engine crashed, hung or could not start, are an `error`. An open result
+// (an inconclusive gate or change, an unsupported cell) is `skipped`. The schema has properties on testsuites only, so
+// metrics carry the name of their testcase: "case: metric".
 #include <fmt/format.h>
 
 #include <pugixml.hpp>
@@ -46,7 +46,7 @@ class Suite {
     add_property(name + ": " + quantity + " high", fmt::format("{}", estimate->interval->high));
   }
 
-  /// `outcome` is the element that says it, empty for a pass.
+  /// `outcome` is the name of the outcome's element, empty for a pass.
   void add_case(const std::string& name, const std::string& classname, double seconds, const char* outcome,
                 const std::string& type, const std::string& sentence, const std::string& output) {
     pugi::xml_node test = node_.append_child("testcase");
@@ -80,7 +80,7 @@ class Suite {
 };
 
 void add_gate_case(Suite& suite, const GateRecord& gate) {
-  const bool no_images = gate.status && *gate.status != Status::bad_image;  // which is one, and a wrong one
+  const bool no_images = gate.status && *gate.status != Status::bad_image;  // a bad image is a wrong image
   const char* outcome = gate.verdict == GateVerdict::fail && no_images ? "error"
                         : gate.verdict == GateVerdict::fail            ? "failure"
                         : gate.verdict == GateVerdict::inconclusive    ? "skipped"

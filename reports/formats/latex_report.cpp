@@ -1,5 +1,5 @@
-// Tables an author puts into a paper with \input: what each engine reached at its largest budget, how errors fall with
-// time, and the gates, as far as the record has them.
+// Tables for a paper, included by \input: each engine's result at its largest budget, errors against time, and gates,
+// as far as the record has them.
 #include <fmt/format.h>
 
 #include "reports/formats/exchange_reports.h"
@@ -26,7 +26,7 @@ std::string label_text(const std::string& text) {
   return out;
 }
 
-/// The command that ends the row above would take a bracket or a star that the first cell begins with for its own.
+/// The command that ends the row above would read a leading bracket or star of the first cell as its argument.
 std::string line(const std::vector<std::string>& cells) {
   std::string text;
   for (const std::string& cell : cells) text += (text.empty() ? "  " : " & ") + latex_text(cell);
@@ -72,12 +72,12 @@ PlainTable errors_table(const View& view) {
   return table;
 }
 
-/// One table over all scenes, with the scene in front.
+/// One table over all scenes, with the scene in the first column.
 template <class MakeTable, class Members>
 PlainTable by_scene(const View& view, MakeTable make, Members members) {
   PlainTable all;
   for (const SceneView& scene : view.scenes) {
-    // By which clock a table is, its header says; of scenes without entries nobody can tell.
+    // The header names the table's clock, which only a scene with entries has.
     if (all.header.empty() || !(scene.*members).empty()) all.header = make(scene.*members).header;
     for (std::vector<std::string>& row : make(scene.*members).rows) {
       row.insert(row.begin(), scene.record.name);

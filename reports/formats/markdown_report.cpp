@@ -36,7 +36,7 @@ std::string table(const Row& header, const std::vector<Row>& rows, std::size_t n
   return text + "\n";
 }
 
-/// A code block whose fence no run of backticks inside it can end.
+/// A code block with a fence longer than any run of backticks inside it.
 std::string code_block(const std::string& code) {
   std::size_t longest = 0, run = 0;
   for (const char c : code) {

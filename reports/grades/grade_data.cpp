@@ -121,7 +121,7 @@ data swatch_data(PlotRole role) {
   return swatch;
 }
 
-/// The sentence of the scene, unless the first finding says just that.
+/// The scene's sentence, unless the first finding has the same one.
 data sentence_data(const SceneGrade& grade) {
   if (!grade.findings.empty() && grade.findings.front().sentence == grade.sentence) return data(false);
   return text_or_false(grade.sentence);

@@ -1,5 +1,5 @@
-// Pieces of a grading as the values that its pages' templates name (reports/templates/grade_*.mustache). Every string
-// of the record goes through printable() here; the templates escape it.
+// Parts of a grading as values for its pages' templates (reports/templates/grade_*.mustache). Every string of the
+// record goes through printable() here; the templates escape it.
 #pragma once
 
 #include <functional>
@@ -14,29 +14,29 @@ namespace photonproof::reports::inline reports_grades {
 /// {class, symbol, verdict} for verdict_chip.mustache.
 kainjow::mustache::data chip_data(const SceneGrade& grade);
 
-/// Where a picture of the record is for the page: an address, or why there is none.
+/// A picture of the record for the page: an address, or the reason why there is none.
 struct PagePicture {
   std::string address, problem;
   int width = 0, height = 0;
-  std::string link;  ///< where a click leads; empty: nowhere
+  std::string link;  ///< where a click leads; empty: no link
 };
 using PictureSource = std::function<PagePicture(const std::string& relative)>;
 
-/// What grade_scene.mustache needs: verdict, findings, pictures with marks, checks, runs with what they printed.
-/// Precondition: whoever reads the page may see all of the scene.
+/// The values of grade_scene.mustache: verdict, findings, pictures with marks, checks, and runs with their output.
+/// Precondition: the page's reader may see all of the scene.
 kainjow::mustache::data scene_block(const GradedScene& scene, const SceneGrade& grade, const PictureSource& picture,
                                     const std::string& id, const std::string& title);
 
-/// A list of {metric, value, bound, side}: no sentence and no parameter, so that it may be told of hidden scenes, too.
+/// A list of {metric, value, bound, side}. It has no sentences and no parameters, so it is safe for hidden scenes.
 kainjow::mustache::data checks_data(const std::vector<GradedCheck>& checks);
 
-/// What grade_speed.mustache needs.
+/// The values of grade_speed.mustache.
 kainjow::mustache::data speed_block(const Grades& grades, const SubmissionGrade& submission);
 
-/// What grade_build.mustache needs is set.
+/// Sets the values of grade_build.mustache.
 void set_build(kainjow::mustache::data& object, const SubmissionGrade& submission);
 
-/// Style, script and the partial templates that both pages share.
+/// Sets style, script and the partial templates that both pages share.
 void set_page_parts(kainjow::mustache::data& page);
 
 }  // namespace photonproof::reports::inline reports_grades

@@ -10,9 +10,9 @@ inline constexpr std::array scene_verdict_words{"right", "borderline", "wrong", 
 inline constexpr std::array check_side_words{"inside", "outside", "undecided"};
 inline constexpr std::array speed_state_words{"not measured", "not right", "measured", "too noisy",
                                               "other images when timed"};
-inline std::span<const char* const> words_of(SceneVerdict) { return scene_verdict_words; }
-inline std::span<const char* const> words_of(GradedCheck::Side) { return check_side_words; }
-inline std::span<const char* const> words_of(SpeedGrade::State) { return speed_state_words; }
+inline std::span<const char* const> names_of(SceneVerdict) { return scene_verdict_words; }
+inline std::span<const char* const> names_of(GradedCheck::Side) { return check_side_words; }
+inline std::span<const char* const> names_of(SpeedGrade::State) { return speed_state_words; }
 
 template <class V>
 void describe(V& v, GradedRun& r) {

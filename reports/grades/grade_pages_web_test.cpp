@@ -1,4 +1,5 @@
-// The pages of a grading in a browser: no complaint, what opens and slides does so, and nothing sticks out.
+// The pages of a grading in a browser: no console messages, working dialogs and sliders, and nothing wider than the
+// page.
 
 #include <string>
 

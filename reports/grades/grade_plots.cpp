@@ -30,7 +30,7 @@ std::string svg_begin(double height, const std::string& label) {
                      safe_text(label));
 }
 
-/// A marker, which says `text` when it is pointed at.
+/// A marker that shows `text` under the pointer.
 std::string svg_point(double x, double y, PlotRole role, const std::string& text) {
   return fmt::format(
       "<svg class=\"point\" x=\"{:.1f}\" y=\"{:.1f}\" width=\"12\" height=\"12\" overflow=\"visible\"><title>{}</title>"
@@ -140,7 +140,7 @@ std::string speed_frame(const Grades& grades, const LogScale& x, double top, dou
   for (const SpeedTier& tier : tiers_to_draw(grades)) {
     const double px = x(tier.ratio);
     tiers += svg_line(px, top, px, bottom);
-    if (px - last_x < 34) continue;  // its text would lie on the one before
+    if (px - last_x < 34) continue;  // its text would overlap the last one
     last_x = px;
     last_labels += svg_text(px, top - 6, "middle", points_text(tier.points) + " p");
   }

@@ -7,7 +7,7 @@
 
 namespace photonproof::reports::inline reports_grades {
 
-/// What a colour and marker stands for in them.
+/// The meaning of a colour and marker in these plots.
 enum class PlotRole { baseline, own, noise };
 struct RoleStyle {
   std::string color;  ///< CSS
@@ -15,17 +15,17 @@ struct RoleStyle {
 };
 RoleStyle role_style(PlotRole role);
 
-/// Seconds of the baseline and of the submission, a round, on a logarithmic axis, and below them how many cores others
-/// kept busy. Empty without rounds that can be drawn.
+/// Seconds of the baseline and of the submission in each round, on a logarithmic axis. Below them are the cores that
+/// others kept busy. Empty if no round can be drawn.
 std::string rounds_plot_svg(const SceneSpeed& speed, const std::string& label);
 
-/// A speed-up with its interval on a logarithmic axis with the tiers. Empty where there is none to draw.
+/// A speed-up with its interval on a logarithmic axis with the tiers. Empty if there is none to draw.
 std::string tiers_plot_svg(const Grades& grades, const Estimate& speedup, const std::string& label);
 
-/// The same of the whole class, a row a submission, fastest first.
+/// The same for the whole class: one row per submission, fastest first.
 std::string class_speeds_svg(const Grades& grades);
 
-/// How many submissions have how many points.
+/// Histogram of the submissions' points.
 std::string class_points_svg(const Grades& grades);
 
 }  // namespace photonproof::reports::inline reports_grades

@@ -1,5 +1,5 @@
-// What `photonproof grade` found out about a class: the record that the gradebook, Gradescope's files and the pages are
-// views of. grades.json is this record.
+// The record of `photonproof grade` about a class. The gradebook, Gradescope's files and the pages are views of it, and
+// grades.json stores it.
 #pragma once
 
 #include <cstdint>
@@ -14,36 +14,36 @@ namespace photonproof::inline reports_grades {
 
 inline constexpr int grades_version = 1;
 
-/// A scene that was graded, and what images of it were compared with.
+/// A scene of the grading, with the reference of its images.
 struct GradedScene {
   std::string name;
   bool hidden = false, timed = false;
   double max_points = 0;
   int width = 0, height = 0;
   std::string of, variant;        ///< of a variant: its scene and its kind
-  std::string says;               ///< what the variant changes
+  std::string says;               ///< the variant's change, in words
   std::string reference;          ///< where it comes from: "mean of 8 runs of the baseline"
   std::string reference_image;    ///< EXR, relative to grades.json
   std::string reference_picture;  ///< PNG
-  std::string unused;             ///< why nobody is graded on it; empty: it counts
+  std::string unused;             ///< why the scene does not count; empty: it counts
 };
 
-/// A run of a submission: what came of it.
+/// One run of a submission and its result.
 struct GradedRun {
   std::uint64_t seed = 0;
   std::string end;       ///< "ok", "crash", "timeout", "memory" ...
-  std::string sentence;  ///< why, where not ok
+  std::string sentence;  ///< the reason, unless ok
   double wall_seconds = 0, cpu_seconds = 0;
   std::uint64_t peak_bytes = 0;
   std::string image;     ///< EXR, relative to grades.json; empty when there is none
   std::string checksum;  ///< of the image's values
-  std::string log_tail;  ///< what it printed at the end
+  std::string log_tail;  ///< end of its output
 };
 
 /// One bound on one metric.
 struct GradedCheck {
   std::string metric;  ///< of `compare`, or "blocks"
-  Estimate value;      ///< mean over the runs; its interval is what the verdict was decided by
+  Estimate value;      ///< mean over the runs; the verdict was decided by its interval
   double bound = 0;
   std::string parameters;
   enum class Side { inside, outside, undecided } side = Side::inside;
@@ -51,15 +51,15 @@ struct GradedCheck {
 };
 std::string to_string(GradedCheck::Side side);
 
-/// What is wrong with the image (harness/diagnosis).
+/// A mistake in the image (harness/diagnosis).
 struct GradedFinding {
   std::string kind, sentence, cause;
   int x = 0, y = 0, width = 0, height = 0;  ///< where, in pixels
   double explained = 0;                     ///< share of the squared error
 };
 
-/// right; borderline: noise leaves it open, which counts as right; wrong: the image; failed: no image; unused: the
-/// scene does not count; skipped: not graded in this run.
+/// `borderline`: noise leaves it open, which counts as right. `wrong`: a wrong image. `failed`: no image. `unused`: the
+/// scene does not count. `skipped`: not graded in this run.
 enum class SceneVerdict { right, borderline, wrong, failed, unused, skipped };
 std::string to_string(SceneVerdict verdict);
 
@@ -79,9 +79,9 @@ struct SceneGrade {
 /// One timed scene.
 struct SceneSpeed {
   std::string scene;
-  Estimate ratio;                                 ///< baseline's time over its own: the speed-up
-  std::vector<double> baseline_seconds, seconds;  ///< a round: of the baseline, and the mean of its own runs
-  std::vector<double> busy;                       ///< a round: cores that others used meanwhile
+  Estimate ratio;                                 ///< speed-up: the baseline's time over its own
+  std::vector<double> baseline_seconds, seconds;  ///< by round: of the baseline, and the mean of its own runs
+  std::vector<double> busy;                       ///< by round: cores that others used meanwhile
 };
 
 struct SpeedGrade {
@@ -94,12 +94,12 @@ struct SpeedGrade {
 };
 std::string to_string(SpeedGrade::State state);
 
-/// Something staff should look at; it has cost no points by itself unless the sentence says so.
+/// A warning for staff. It costs no points by itself unless the sentence says so.
 struct GradeFlag {
   std::string kind;  ///< "copy-of-reference", "same-as-other", "seed-ignored", "parameters-ignored", "runs-differ",
                      ///< "right-on-public-only", "fast-on-timed-only" ...
   std::string sentence;
-  std::string scene, other;  ///< where; which other submission or scene
+  std::string scene, other;  ///< the place; the other submission or scene
 };
 
 struct SubmissionGrade {
@@ -112,12 +112,12 @@ struct SubmissionGrade {
   SpeedGrade speed;
   std::vector<GradeFlag> flags;
   double correctness_points = 0;
-  std::string sentence;  ///< the first thing to know
+  std::string sentence;  ///< the most important result
   double points() const { return correctness_points + speed.points; }
   const SceneGrade* scene(const std::string& scene_name) const;
 };
 
-/// Points for a speed-up of `ratio` and more.
+/// Points for a speed-up of at least `ratio`.
 struct SpeedTier {
   double ratio = 0, points = 0;
 };
@@ -128,10 +128,10 @@ struct Grades {
   std::map<std::string, std::string> versions;
   std::uint64_t seed = 1;
   bool contained = true;    ///< in the sandbox
-  std::string containment;  ///< how, or why not
+  std::string containment;  ///< the method, or the reason why not
   double correctness_points = 0, speed_points = 0;
   std::string speed_rule;                ///< "20 points from 2x, 40 from 5x"
-  std::vector<SpeedTier> speed_tiers;    ///< ascending; empty where there is a curve
+  std::vector<SpeedTier> speed_tiers;    ///< ascending; empty if there is a curve
   std::optional<SpeedTier> speed_curve;  ///< no points at 1, its points at its ratio, in between by the logarithm
   std::vector<GradedScene> scenes;
   std::vector<SubmissionGrade> submissions;

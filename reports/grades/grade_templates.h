@@ -1,4 +1,4 @@
-// The files of reports/templates/ that the pages of a grading are made of, compiled in (see embed_templates.cmake).
+// The files of reports/templates/ for the pages of a grading, compiled in (see embed_templates.cmake).
 #pragma once
 
 #include <string_view>

@@ -1,4 +1,4 @@
-// What the pages of a grading say in words. How much of it students may read of hidden scenes is in hidden_words.h.
+// Texts on the pages of a grading. What students may read about hidden scenes is in hidden_words.h.
 #pragma once
 
 #include <optional>
@@ -17,14 +17,14 @@ std::string speed_text(const Estimate& ratio);
 /// "12.3 times as fast as the baseline (11.9 to 12.7)"
 std::string speed_words(const Estimate& ratio);
 
-/// What makes right green, and nothing else.
+/// CSS class of a verdict: green only for right.
 const char* verdict_class(SceneVerdict verdict);
-/// One that is not told by its colour alone.
+/// Symbol that shows the verdict without its colour.
 const char* verdict_symbol(SceneVerdict verdict);
-/// "right", "wrong", and why there is no image: "crash".
+/// "right", "wrong", or the reason why there is no image: "crash".
 std::string verdict_words(const SceneGrade& grade);
 
-/// "scene 1"; of a hidden one "hidden scene 2", its number among the hidden ones, counted from 1.
+/// "scene 1"; for a hidden scene "hidden scene 2", its number among the hidden ones, counted from 1.
 std::string student_title(const Grades& grades, const GradedScene& scene);
 /// "scene 1", "hidden scene rigid-1": with its name.
 std::string staff_title(const GradedScene& scene);
@@ -35,7 +35,7 @@ bool is_whole_image(const GradedFinding& finding, const GradedScene& scene);
 
 /// "right on 2 of 3 scenes and on 1 of 4 hidden ones"
 std::string correctness_words(const Grades& grades, const SubmissionGrade& submission);
-/// What the tier is that was reached, and what the next one needs. Empty where speed gives no points.
+/// The tier that was reached, and the requirement of the next one. Empty if speed gives no points.
 std::string tier_words(const Grades& grades, const SpeedGrade& speed);
 
 /// Lines of a program's output, safe to show in <pre>: the last ones of many, and long ones shortened.

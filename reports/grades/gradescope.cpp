@@ -12,7 +12,7 @@ namespace {
 
 using Document = nlohmann::ordered_json;
 
-// Points as people read them: a third of 40 is no 13.333333333333334.
+// Points rounded for readers: no 13.333333333333334 for a third of 40.
 double rounded(double points) { return std::round(points * 1000) / 1000; }
 
 double seconds_of(const SubmissionGrade& submission) {

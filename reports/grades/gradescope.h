@@ -1,4 +1,4 @@
-// What Gradescope takes of an autograder: a results.json a submission, and the zip that makes it there.
+// The files that Gradescope expects of an autograder: a results.json for each submission, and the zip that creates it.
 // https://gradescope-autograders.readthedocs.io/en/latest/specs/
 #pragma once
 
@@ -9,8 +9,8 @@
 
 namespace photonproof::inline reports_grades {
 
-/// By gradescope.schema.json, as tests check. A test a scene and one for speed; hidden scenes tell their verdict and
-/// score, nothing of what they show. The leaderboard has points and, where it was measured, the speed-up.
+/// Follows gradescope.schema.json, as tests check. One test for each scene and one for speed. Hidden scenes show their
+/// verdict and score but nothing of their content. The leaderboard has points and the speed-up, if measured.
 nlohmann::ordered_json gradescope_results(const Grades& grades, const SubmissionGrade& submission);
 
 }  // namespace photonproof::inline reports_grades

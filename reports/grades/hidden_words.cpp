@@ -12,7 +12,7 @@ namespace {
 
 using Words = std::pair<std::string_view, std::string_view>;
 
-// How a run ended, without what the program says of it.
+// The end of a run, without the program's output about it.
 constexpr std::array<Words, 9> ends{{{"crash", "the program crashes"},
                                      {"timeout", "the program is not done in time"},
                                      {"memory", "the program needs more memory than there is"},
@@ -23,15 +23,15 @@ constexpr std::array<Words, 9> ends{{{"crash", "the program crashes"},
                                      {"no image", "the program leaves no image"},
                                      {"bad image", "the program's image cannot be used"}}};
 
-// What the flags say that make a scene wrong.
+// Sentences for the flags that make a scene wrong.
 constexpr std::array<Words, 4> flagged{
     {{"copy-of-given", "the image that was handed out, whatever the seed"},
      {"copy-of-reference", "a copy of the reference: it has the reference's own noise"},
      {"keeps-results", "an earlier run's image comes back, whatever the seed: results are kept in files"},
      {"copies-found", "an earlier run's image comes back, whatever the seed: images that are found are copied"}}};
 
-// Kinds of findings (harness/diagnosis) that say nothing about what a scene holds: any scene has pixels, and light that
-// comes from lights directly or after bounces.
+// Kinds of findings (harness/diagnosis) that reveal nothing about a scene's contents: any scene has pixels, and light
+// that comes from lights directly or after bounces.
 struct Mistake {
   std::string_view kind, sentence, cause;
 };
@@ -96,11 +96,11 @@ constexpr Mistake mistakes[] = {
      "places on it are drawn from 0 to 1 where its sides reach from -1 to 1"},
     {"lamp-cosine-missing", "the lamp shines as brightly to the side as ahead", "the cosine at the lamp is missing"},
 };
-// For all others.
+// For all other kinds.
 constexpr Mistake of_content{"", "something that the scene holds is not rendered as it should be",
                              "try objects, materials and lamps of every kind, in scenes of your own"};
 
-const Mistake& words_of(const GradedFinding& finding) {
+const Mistake& listed_mistake(const GradedFinding& finding) {
   const auto* const found = std::ranges::find(mistakes, std::string_view(finding.kind), &Mistake::kind);
   return found == std::end(mistakes) ? of_content : *found;
 }
@@ -114,7 +114,7 @@ const GradedScene* scene_named(const Grades& grades, const std::string& name) {
   return found == grades.scenes.end() ? nullptr : &*found;
 }
 
-/// That the image is no rendering of the scene; empty where nothing says so.
+/// The sentence that the image is no rendering of the scene; empty if there is no such flag.
 std::string copy_words(const Grades& grades, const SubmissionGrade& submission, const std::string& scene) {
   for (const GradeFlag& flag : submission.flags) {
     if (flag.scene != scene) continue;
@@ -138,10 +138,10 @@ std::string end_words(const SceneGrade& grade) {
 HiddenWords words_of_wrong(const SceneGrade& grade) {
   std::vector<std::string> sentences, causes;
   for (const GradedFinding& finding : grade.findings) {
-    const bool is_vague = finding.kind == "differs";  // and where it does is not told
+    const bool is_vague = finding.kind == "differs";  // and its place is not shown
     if (is_vague) continue;
-    add_once(sentences, words_of(finding).sentence);
-    add_once(causes, words_of(finding).cause);
+    add_once(sentences, listed_mistake(finding).sentence);
+    add_once(causes, listed_mistake(finding).cause);
   }
   if (sentences.empty()) return {"differs from the reference by more than noise explains", {}};
   std::string joined;

@@ -1,8 +1,8 @@
-// How much students may read of hidden scenes: of each its number in the assignment's order, the verdict, points and
-// values of the metrics, and what their program does wrong, in words of a fixed list. What these words say could be
-// said of any scene. Nothing names a hidden scene, what the variant changes, a place in the image, what the program
-// printed (it could print the scene), or what the scene holds: "the cube is missing" or "no caustic" gives a scene
-// away, so that all such findings share one sentence. A kind of finding that is not on the list has that sentence, too.
+// Limits what students may read about a hidden scene. They may read its number in the assignment's order, verdict,
+// points, values of the metrics, and the program's mistakes in sentences of a fixed list. These sentences could be
+// about any scene. No text names a hidden scene, the variant's change, a place in the image, the program's output (it
+// could print the scene), or the scene's contents. "The cube is missing" or "no caustic" would reveal a scene. So all
+// such findings share one sentence, and so do kinds that are not on the list.
 #pragma once
 
 #include <string>
@@ -12,17 +12,17 @@
 
 namespace photonproof::reports::inline reports_grades {
 
-/// A submission's grade on a hidden scene, as its student may read it.
+/// A submission's grade on a hidden scene, in its student's version.
 struct HiddenWords {
-  std::string sentence;             ///< empty where it is right
-  std::vector<std::string> causes;  ///< likely ones, each once
+  std::string sentence;             ///< empty if the scene is right
+  std::vector<std::string> causes;  ///< likely causes, each once
 };
 HiddenWords hidden_words(const Grades& grades, const SubmissionGrade& submission, const SceneGrade& grade);
 
-/// The text with "a hidden scene" in place of "scene NAME" and "hidden scene NAME" of every hidden one.
+/// The text with "a hidden scene" in place of the name of every hidden one ("scene NAME", "hidden scene NAME").
 std::string without_hidden_names(const Grades& grades, const std::string& text);
 
-/// The submission whose sentences about public scenes and speed name no hidden scene.
+/// The submission without names of hidden scenes in its sentences about public scenes and speed.
 SubmissionGrade as_students_read(const Grades& grades, SubmissionGrade submission);
 
 }  // namespace photonproof::reports::inline reports_grades

@@ -1,4 +1,4 @@
-// What students read of hidden scenes: of each kind of mistake the same as of any other scene.
+// Tests that students read the same sentence for a kind of mistake on every hidden scene.
 
 #include "reports/grades/hidden_words.h"
 
@@ -18,7 +18,7 @@ class HiddenScene : public testing::Test {
     grade.verdict = SceneVerdict::wrong;
   }
   HiddenWords words() const { return hidden_words(grades, submission, grade); }
-  HiddenWords words_of(const std::string& kind) {
+  HiddenWords shown_words(const std::string& kind) {
     grade.findings = {{kind, "the cube is missing at (3, 4)", "the cube is never added", 3, 4, 5, 6, 1}};
     return words();
   }
@@ -31,20 +31,20 @@ class HiddenScene : public testing::Test {
 const char* const of_content = "something that the scene holds is not rendered as it should be";
 
 TEST_F(HiddenScene, a_mistake_that_any_scene_would_show_is_told) {
-  EXPECT_EQ(words_of("upside-down").sentence, "the image is upside down");
-  EXPECT_EQ(words_of("upside-down").causes,
+  EXPECT_EQ(shown_words("upside-down").sentence, "the image is upside down");
+  EXPECT_EQ(shown_words("upside-down").causes,
             std::vector<std::string>{"rows are written from the bottom up, or y is not turned from world to image"});
-  EXPECT_EQ(words_of("gamma-twice").sentence, "gamma applied twice");
-  EXPECT_EQ(words_of("indirect-energy").sentence, "indirect light too bright or too dark");
-  EXPECT_EQ(words_of("other-scene").sentence, "the same image as of another scene");
+  EXPECT_EQ(shown_words("gamma-twice").sentence, "gamma applied twice");
+  EXPECT_EQ(shown_words("indirect-energy").sentence, "indirect light too bright or too dark");
+  EXPECT_EQ(shown_words("other-scene").sentence, "the same image as of another scene");
 }
 
 TEST_F(HiddenScene, what_the_scene_holds_is_not_given_away) {
   for (const char* kind : {"object-missing", "caustic-missing", "caustic-twice", "mirror-diffuse", "glass-opaque",
                            "water-flat", "water-missing", "lamp-missing", "walls-swapped", "hard-shadows",
                            "shadows-missing", "a-kind-of-tomorrow", ""}) {
-    EXPECT_EQ(words_of(kind).sentence, of_content) << kind;
-    EXPECT_EQ(words_of(kind).causes,
+    EXPECT_EQ(shown_words(kind).sentence, of_content) << kind;
+    EXPECT_EQ(shown_words(kind).causes,
               std::vector<std::string>{"try objects, materials and lamps of every kind, in scenes of your own"})
         << kind;
   }
@@ -61,7 +61,7 @@ TEST_F(HiddenScene, several_mistakes_are_told_once_each) {
 
 TEST_F(HiddenScene, without_a_finding_it_differs) {
   EXPECT_EQ(words().sentence, "differs from the reference by more than noise explains");
-  EXPECT_EQ(words_of("differs").sentence, "differs from the reference by more than noise explains");
+  EXPECT_EQ(shown_words("differs").sentence, "differs from the reference by more than noise explains");
   EXPECT_TRUE(words().causes.empty());
 }
 

@@ -17,7 +17,7 @@ std::vector<std::string> names_of(const Grades& grades, const Members& members) 
   return names;
 }
 
-/// Who made an image of a scene, by its checksum.
+/// The submissions that made each image of a scene, by the image's checksum.
 std::map<std::string, std::set<std::size_t>> makers_of(const Grades& grades, const std::string& scene_name) {
   std::map<std::string, std::set<std::size_t>> makers;
   for (std::size_t i = 0; i < grades.submissions.size(); ++i) {

@@ -1,4 +1,4 @@
-// Which submissions of a class made the same images, or images with the same noise.
+// Groups of submissions with the same images, or with images of the same noise.
 #pragma once
 
 #include <string>
@@ -13,7 +13,7 @@ struct LikenessGroup {
   std::string why;                 ///< "the same image of scene 1, bit for bit", "the same noise"
 };
 
-/// By the checksums of images, a group for all scenes that the same submissions share, and by the flags
+/// Groups by the checksums of images, one for all scenes that the same submissions share, and by the flags
 /// "same-as-other".
 std::vector<LikenessGroup> likeness_groups(const Grades& grades);
 

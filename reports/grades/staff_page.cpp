@@ -28,7 +28,7 @@ constexpr int thumbnail_side = 48;
 std::string submission_id(std::size_t place) { return fmt::format("s{}", place + 1); }
 std::string block_id(std::size_t place, std::size_t scene) { return fmt::format("s{}-{}", place + 1, scene + 1); }
 
-/// Pictures stay where they are: links from the page's folder.
+/// Pictures that stay in place, as links from the page's folder.
 class LinkedPictures {
  public:
   LinkedPictures(const fs::path& folder, const fs::path& out)
@@ -100,7 +100,7 @@ void set_row_numbers(data& row, const SubmissionGrade& submission) {
   row.set("flag_count", std::to_string(submission.flags.size()));
 }
 
-/// Of one submission all that the page has: its row of the leaderboard, of the matrix, and its own section.
+/// All values for one submission: its rows of the leaderboard and of the matrix, and its own section.
 data submission_row(const Grades& grades, const SubmissionGrade& submission, std::size_t place, const fs::path& folder,
                     const LinkedPictures& pictures) {
   data row, cells(data::type::list), scenes(data::type::list), flags(data::type::list);
@@ -180,7 +180,7 @@ void set_head(data& page, const Grades& grades) {
   page.set("rule", text_or_false(grades.speed_rule));
 }
 
-/// What the scenes are, for the page's end.
+/// Facts about the scenes, for the page's end.
 data scene_facts(const Grades& grades) {
   data list(data::type::list);
   for (const GradedScene& scene : grades.scenes) {

@@ -1,4 +1,4 @@
-// What staff see of a class.
+// The page about a class for its staff.
 
 #include "reports/grades/grade_pages.h"
 #include "reports/grades/likeness_groups.h"
@@ -27,7 +27,7 @@ TEST_F(StaffPage, has_a_row_and_a_section_a_submission_and_a_cell_a_scene) {
   EXPECT_EQ(count(page, "<details class=\"submission\""), grades.submissions.size());
   EXPECT_EQ(count(page, "<a class=\"cell\""), grades.submissions.size() * grades.scenes.size());
   EXPECT_EQ(count(page, "<article class=\"graded\""), grades.submissions.size() * grades.scenes.size());
-  // Every cell leads to the scene it shows.
+  // Every cell links to its scene.
   for (std::size_t place = 1; place <= grades.submissions.size(); ++place)
     for (std::size_t scene = 1; scene <= grades.scenes.size(); ++scene) {
       const std::string id = "s" + std::to_string(place) + "-" + std::to_string(scene);
@@ -59,7 +59,7 @@ TEST_F(StaffPage, thumbnails_are_small) {
   const TemporaryFolder large;
   const Grades class_of_large = sample_grades(large.path(), sample_images(200));
   write_staff_page(class_of_large, large.path(), large.path() / "staff.html");
-  // 200 pixels are reduced five times, to 40: far less than 5 kB each for 16 x 5 and the references.
+  // 200 pixels are reduced to 40, a fifth: far less than 5 kB for each of 16 x 5 pictures and the references.
   EXPECT_LT(std::filesystem::file_size(large.path() / "staff.html"), 1'000'000u);
 }
 
@@ -111,7 +111,7 @@ TEST(LikenessGroups, equal_images_and_shared_noise_join_submissions) {
       run.checksum = is_copy ? std::string("same") + scene : name + std::string(scene);
     }
   }
-  // b is like d, and d like c: three with the same noise, though b and c were not compared.
+  // b is like d and d like c, so all three have the same noise, although b and c were not compared.
   grades.submissions[1].flags.push_back({"same-as-other", "", "1", "d"});
   grades.submissions[3].flags.push_back({"same-as-other", "", "1", "c"});
   grades.submissions[3].flags.push_back({"same-as-other", "", "1", "nobody"});

@@ -54,7 +54,7 @@ bool is_bad(const SceneGrade& grade) {
   return grade.verdict == SceneVerdict::wrong || grade.verdict == SceneVerdict::failed;
 }
 
-/// What is wrong, with its cause, and the scenes that have it.
+/// A mistake, with its cause and the scenes that have it.
 struct Problem {
   const SceneGrade* first = nullptr;
   std::string what, place;

@@ -1,4 +1,4 @@
-// What a student's page says, and above all what it does not.
+// Tests the contents of a student's page, and above all what it must not contain.
 
 #include <regex>
 #include <set>
@@ -28,7 +28,7 @@ class StudentPage : public testing::Test {
   Grades grades;
 };
 
-/// As the page would have it.
+/// The file as the page embeds it.
 std::string embedded(const std::filesystem::path& file) { return base64(file_text(file)); }
 
 /// Files of the pictures that belong to a scene or to the submission's work on it.
@@ -118,7 +118,7 @@ TEST_F(StudentPage, points_of_the_rows_add_up_to_the_total) {
     std::vector<std::pair<double, double>> rows;
     for (std::sregex_iterator it(table.begin(), table.end(), cells), end; it != end; ++it)
       rows.emplace_back(std::stod((*it)[1]), std::stod((*it)[2]));
-    ASSERT_EQ(rows.size(), 7u);  // five scenes, performance, together
+    ASSERT_EQ(rows.size(), 7u);  // five scenes, performance, total
     double points = 0, most = 0;
     for (std::size_t i = 0; i + 1 < rows.size(); ++i) {
       points += rows[i].first;
@@ -143,7 +143,7 @@ TEST_F(StudentPage, marks_lie_where_the_findings_are) {
   // 24 pixels a side: the corner begins at column 12 and row 15, and is 9 wide and high.
   const std::string page = html("no-caustic");
   EXPECT_EQ(count(page, "left:50.000%;top:62.500%;width:37.500%;height:37.500%"), 9u);  // 3 scenes of 3 pictures
-  EXPECT_EQ(count(html("upside"), "class=\"mark\""), 0u);                               // the whole image needs none
+  EXPECT_EQ(count(html("upside"), "class=\"mark\""), 0u);                               // whole image: no mark
 }
 
 TEST_F(StudentPage, escapes_every_text_and_keeps_logs_in_lines) {

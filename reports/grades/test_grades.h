@@ -1,4 +1,4 @@
-// A class of three for tests: one right and quick, one wrong on a hidden scene, one that does not build; test code
+// A class of three for tests: one right and quick, one wrong on a hidden scene, one that does not build. Test code
 // only.
 #pragma once
 

@@ -1,4 +1,4 @@
-// A class for tests: made up, but with everything that the pages of a grading have to show.
+// An invented class for tests, with everything that the pages of a grading can show.
 #pragma once
 
 #include <algorithm>
@@ -18,7 +18,7 @@ namespace photonproof::reports::inline reports_grades {
 
 using ImageChange = std::function<Image(const Image&)>;
 
-/// Each pixel by what `value` says of it: (image, x, y, channel).
+/// Replaces each value by `value` of (image, x, y, channel).
 inline Image changed_image(const Image& image, const std::function<double(const Image&, int, int, int)>& value) {
   Image out(image.width, image.height);
   for (int y = 0; y < image.height; ++y)
@@ -83,7 +83,7 @@ inline GradedScene named_scene(const std::string& name, bool hidden = false) {
   return scene;
 }
 
-/// The class while it is made up: the record, and its pictures in a folder.
+/// An invented class under construction: the record, and its pictures in a folder.
 class SampleClass {
  public:
   SampleClass(std::filesystem::path folder, std::map<std::string, Image> images)
@@ -117,7 +117,7 @@ class SampleClass {
     add_scene(lights);
   }
 
-  /// A submission that built, with right images and these times, a round: baseline and own.
+  /// A submission with a successful build, right images and these times by round: baseline and own.
   SubmissionGrade& add(const std::string& name, double speedup) {
     SubmissionGrade& submission = grades.submissions.emplace_back();
     submission.name = name;
@@ -139,7 +139,7 @@ class SampleClass {
     return submission;
   }
 
-  /// Wrong on the named scenes (all where there are none).
+  /// Makes it wrong on the named scenes (all if none is named).
   void make_wrong(SubmissionGrade& submission, const GradedFinding& finding, const ImageChange& change,
                   const std::vector<std::string>& only = {}) {
     for (SceneGrade& grade : submission.scenes) {
@@ -261,7 +261,7 @@ inline std::map<std::string, Image> sample_images(int side) {
   return images;
 }
 
-/// Wrong on the named scenes, all where there are none; its first sentence is the finding's.
+/// A submission that is wrong on the named scenes (all if none is named); its first sentence is the finding's.
 inline SubmissionGrade& add_wrong(SampleClass& sample, const char* name, double speedup, const GradedFinding& finding,
                                   const ImageChange& change, const std::vector<std::string>& only = {}) {
   SubmissionGrade& submission = sample.add(name, speedup);
@@ -342,7 +342,7 @@ inline void add_ones_without_images(SampleClass& sample) {
   sample.finish(slow, "scene 1: not done after 60 s");
 }
 
-/// Honest ones, five wrong, five cheating, and three that make no image. Pictures are written into the folder.
+/// Honest submissions, five wrong, five cheating, and three without images. Writes pictures into the folder.
 inline Grades sample_grades(const std::filesystem::path& folder, std::map<std::string, Image> images) {
   SampleClass sample(folder, std::move(images));
   add_honest(sample);

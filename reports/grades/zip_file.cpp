@@ -22,7 +22,7 @@ void put32(std::string& out, std::size_t value) {
   put16(out, static_cast<std::uint16_t>(value >> 16));
 }
 
-// Deflate without zlib's own header, as zip has it.
+// Deflate without zlib's own header, as in zip files.
 std::string raw_deflated(const std::string& bytes) {
   z_stream stream{};
   if (deflateInit2(&stream, 6, Z_DEFLATED, -MAX_WBITS, 8, Z_DEFAULT_STRATEGY) != Z_OK)
@@ -39,7 +39,7 @@ std::string raw_deflated(const std::string& bytes) {
   return out;
 }
 
-// What the local header and the directory's entry share, from the version needed to the lengths.
+// The fields that the local header and the directory's entry share, from the version needed to the lengths.
 std::string common_fields(const ZipMember& member, const std::string& packed) {
   std::string fields;
   put16(fields, needed_version);
@@ -51,7 +51,7 @@ std::string common_fields(const ZipMember& member, const std::string& packed) {
   put32(fields, packed.size());
   put32(fields, member.bytes.size());
   put16(fields, static_cast<std::uint16_t>(member.name.size()));
-  put16(fields, 0);  // nothing extra
+  put16(fields, 0);  // no extra field
   return fields;
 }
 

@@ -1,4 +1,4 @@
-// A zip archive, as unpackers of today and Info-ZIP of 1990 read it: deflated members, Unix permissions, one size limit
+// Writes a zip archive for current unpackers and Info-ZIP of 1990: deflated members, Unix permissions, one size limit
 // of 4 GiB. (PKWARE, APPNOTE.TXT 6.3.10, sections 4.3.7, 4.3.12, 4.3.16.)
 #pragma once
 

@@ -29,7 +29,7 @@ struct Embedded {
   std::vector<EmbeddedPicture> maps;  ///< one for each of map_roles, empty when the image has none
 };
 
-/// All pictures, none longer than `side`, which is set to 0 when none had to be reduced.
+/// All pictures, reduced to `side` at most; sets `side` to 0 if none had to be reduced.
 std::vector<Embedded> embed_all(const std::vector<SceneImage>& images, const fs::path& folder, bool with_maps,
                                 int& side, std::size_t& bytes) {
   std::vector<Embedded> all;
@@ -58,7 +58,7 @@ data card_data(const View& view, const SceneImage& image, const Embedded& embedd
   card.set("has_swatch", image.engine.has_value());
   card.set("title", printable(image.title));
   card.set("caption", printable(image.caption));
-  card.set("has_scales", image.is_reference);  // the room below it is where the others have their heat maps
+  card.set("has_scales", image.is_reference);  // its room below is used for heat maps by other cards
   set_picture(card, embedded.image, image.subject);
   card.set("picture_id", data(false));
   data maps(data::type::list);
@@ -82,11 +82,11 @@ Gallery gallery(const View& view, const SceneView& scene, const std::vector<Scen
                 const std::string& scene_id, std::size_t allowance) {
   Gallery out;
   std::vector<Embedded> embedded;
-  std::size_t whole = 0;  // bytes of all pictures as they are
+  std::size_t whole = 0;  // bytes of all unreduced pictures
   int longest = 0;        // side of the largest
   constexpr int least_side = 32;
   for (const int side : {4096, 512, 384, 256, 192, 128, 96, 64, least_side}) {
-    // Bytes go with the area: sizes that would take more than twice the allowance are not tried.
+    // Bytes are proportional to the area, so sizes that would take more than twice the allowance are not tried.
     const double part = static_cast<double>(side) / std::max(longest, 1);
     const bool too_large = static_cast<double>(whole) * part * part > 2.0 * static_cast<double>(allowance);
     if (whole > 0 && too_large && side > least_side) continue;

@@ -1,5 +1,5 @@
-// The gallery of a scene: a card an image with its heat maps. It is what is printed, and all there is without
-// JavaScript.
+// The gallery of a scene: one card per image with its heat maps. Print and pages without JavaScript show only the
+// gallery.
 #pragma once
 
 #include <filesystem>
@@ -12,7 +12,7 @@
 namespace photonproof::reports::inline reports_page {
 
 struct Gallery {
-  kainjow::mustache::data cards;  ///< a list, as scene_section.mustache has it
+  kainjow::mustache::data cards;  ///< a list for scene_section.mustache
   std::size_t bytes = 0;          ///< of the pictures, in base64
   int longest_side = 0;           ///< pixels; pictures were reduced to it, 0 when none was
 };

@@ -1,4 +1,4 @@
-// The harness's conclusions as the page templates name them.
+// The harness's conclusions as values for the page templates.
 #pragma once
 
 #include <kainjow/mustache.hpp>
@@ -10,22 +10,22 @@
 
 namespace photonproof::reports::inline reports_page {
 
-/// {verdict, class, symbol}: a chip that is not told by its colour alone.
+/// {verdict, class, symbol}: a chip that is readable without its colour.
 void set_verdict(kainjow::mustache::data& object, GateVerdict verdict);
 
-/// {has_correctness, verdict, class, symbol, sentence}: the same for a budget's images; green for right alone.
+/// {has_correctness, verdict, class, symbol, sentence}: the same for a budget's images, green only for right.
 void set_correctness(kainjow::mustache::data& object, const CorrectnessRecord& record);
 
-/// {has_glance, glances: {swatch, text}, races}: what to see first.
+/// {has_glance, glances: {swatch, text}, races}: the summary at the top.
 void set_glance(kainjow::mustache::data& page, const View& view);
 
 /// {has_table, header, rows: {cells: {text, number}}}: cells from `numbers_from` on are right-aligned.
 kainjow::mustache::data table_data(const PlainTable& table, std::size_t numbers_from);
 
-/// {has_gates, gate_header, gates}: each gate with its row and sentence, and with its command where that is wanted.
+/// {has_gates, gate_header, gates}: each gate with its row and sentence, and with its command on request.
 void set_gates(kainjow::mustache::data& object, const std::vector<const GateRecord*>& gates, bool with_commands);
 
-/// {has_tiles, tiles}: all failing tiles, worst first, each with the scene and place that the viewer knows it by.
+/// {has_tiles, tiles}: all failing tiles, worst first, each with its scene and its place in the viewer.
 void set_tiles(kainjow::mustache::data& page, const View& view);
 
 /// {has_changes, changes}.

@@ -1,5 +1,5 @@
-// Pieces of a record as the values the page templates name (reports/templates/*.mustache). Every string of the record
-// goes through printable() here; the templates escape it.
+// Parts of a record as values for the page templates (reports/templates/*.mustache). Every string of the record goes
+// through printable() here; the templates escape it.
 #pragma once
 
 #include <kainjow/mustache.hpp>
@@ -11,19 +11,19 @@
 
 namespace photonproof::reports::inline reports_page {
 
-/// {color, shape, name, title, version}: an engine and what swatch_svg.mustache needs.
+/// {color, shape, name, title, version}: an engine, with the values of swatch_svg.mustache.
 kainjow::mustache::data engine_data(const View& view, std::size_t engine);
 
 /// A list of {metric, parameters}.
 kainjow::mustache::data parameters_data(const std::vector<MetricParameters>& parameters);
 
-/// {status, class, detail} are set: what ended a cell.
+/// Sets {status, class, detail}: the end of a cell.
 void set_status(kainjow::mustache::data& object, const Result& result);
 
-/// {scene, engine, budget, seed} are set.
+/// Sets {scene, engine, budget, seed}.
 void set_cell(kainjow::mustache::data& object, const Cell& cell);
 
-/// What picture_img.mustache needs is set.
+/// Sets the values of picture_img.mustache.
 void set_picture(kainjow::mustache::data& object, const EmbeddedPicture& picture, const std::string& alt);
 
 /// The file of a picture's role, empty when the cell has none.

@@ -20,7 +20,7 @@ std::string html_of(const Results& results, bool with_pictures = true) {
   return file_text(folder.path() / "report.html");
 }
 
-/// Replaces what stands between `open` and `close` each time.
+/// Removes the text between every `open` and `close`.
 void blank(std::string& text, const std::string& open, const std::string& close) {
   for (std::size_t at = text.find(open); at != std::string::npos; at = text.find(open, at)) {
     at += open.size();
@@ -29,7 +29,7 @@ void blank(std::string& text, const std::string& open, const std::string& close)
   }
 }
 
-/// What depends on versions of libraries, and what has files of its own to be read in.
+/// Removes bytes that depend on versions of libraries, and texts that have files of their own.
 void blank_library_bytes(std::string& html) {
   blank(html, "data:image/png;base64,", "\"");
   blank(html, "\"pixels\":\"", "\"");
@@ -50,7 +50,7 @@ TEST(HtmlReport, conclusions_read_like_their_snapshot) {
   expect_snapshot("conclusions.html", html);
 }
 
-/// What follows the head's style, or everything before the page's own script.
+/// Everything before the page's own script.
 std::string without_script(const std::string& html) { return html.substr(0, html.rfind("<script>")); }
 
 TEST(HtmlReport, refers_to_nothing_outside_itself) {
@@ -187,12 +187,12 @@ TEST(HtmlReport, a_run_of_gates_alone_has_no_empty_columns_and_no_plot) {
   EXPECT_EQ(count(html, "Error against time"), 0u);
   EXPECT_EQ(count(html, "Every measurement"), 0u);
   EXPECT_EQ(count(html, "class=\"viewer-data\""),
-            1u);  // hole has a gate's image and a stored reference; box has nothing
+            1u);  // hole has a gate's image and a stored reference; box has neither
 }
 
 const char* const six_engines[] = {"reference", "a", "b", "c", "d", "e"};
 
-/// An image of noise, which packs worst, its picture and its FLIP map for each of the engines.
+/// Writes an image of noise, which compresses worst, with its picture and its FLIP map, for each engine.
 void write_noise(const fs::path& folder) {
   std::uint32_t state = 1;
   for (const std::string engine : six_engines) {
@@ -239,7 +239,7 @@ Result wordy_cell(const std::string& scene, const std::string& engine, std::uint
   return result;
 }
 
-/// Ten scenes, in each a reference and so many seeds of five engines.
+/// Ten scenes, each with a reference and `seeds` seeds of five engines.
 Results ten_scenes(std::uint64_t seeds) {
   Results results;
   results.suite = "ten";
@@ -273,7 +273,7 @@ TEST(HtmlReport, ten_scenes_of_five_engines_take_less_than_5_MB) {
   EXPECT_EQ(count(html, "<dt>command</dt>"), 10u * 16);
 }
 
-// 10 x (1 + 5 x 50) of them. Their text takes what pictures had: these are smaller, and none is left out.
+// 10 x (1 + 5 x 50) measurements. Their text takes the room of the pictures, which become smaller; none is left out.
 TEST(HtmlReport, twenty_five_hundred_measurements_take_less_than_5_MB) {
   const std::string html = html_of_ten_scenes(50);
   EXPECT_LT(html.size(), 5'000'000u);

@@ -1,4 +1,4 @@
-// The HTML report in a browser: it loads without a complaint, holds its scenes, and fits wide and narrow windows.
+// The HTML report in a browser: it loads without messages, holds its scenes, and fits wide and narrow windows.
 
 #include <string>
 #include <vector>

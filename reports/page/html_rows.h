@@ -7,7 +7,7 @@
 
 namespace photonproof::reports::inline reports_page {
 
-/// One row a cell, the reference first, each with its remarks and details.
+/// One row per cell, the reference first, each with its remarks and details.
 kainjow::mustache::data rows_data(const View& view, const SceneView& scene);
 
 }  // namespace photonproof::reports::inline reports_page

@@ -24,14 +24,14 @@ namespace {
 using kainjow::mustache::data;
 namespace fs = std::filesystem;
 
-// A page of ten scenes stays below 5 MB: 10 x 485 kB leave 150 kB for style, script and what is about all scenes.
-// Pictures take what a scene's text leaves, as far as they stay recognisable.
+// A page of ten scenes stays below 5 MB: 10 x 485 kB leave 150 kB for style, script and the parts about all scenes.
+// Pictures use what a scene's text leaves, as long as they stay recognisable.
 constexpr std::size_t scene_bytes = 485'000, most_picture_bytes = 460'000, least_picture_bytes = 80'000;
 constexpr double share_of_gallery = 0.4;
-// More measurements than this have their details packed: 2 kB of text each become 0.2 kB.
+// Above this number of measurements their details are packed: 2 kB of text each become 0.2 kB.
 constexpr std::size_t most_open_details = 60;
 
-/// An index entry's picture, numbers and what it shows.
+/// A thumbnail for the index, with its alternative text.
 data shown_data(const fs::path& folder, const std::string& file, const std::string& alt, std::size_t& bytes) {
   constexpr int thumbnail_side = 64;  // CSS pixels, as .thumbnail
   const EmbeddedPicture thumbnail = embed_thumbnail(folder, file, thumbnail_side);
@@ -132,7 +132,7 @@ void set_images(data& out, const View& view, const SceneView& scene, const fs::p
   const std::vector<SceneImage> images = scene_images(view, scene);
   const auto for_gallery = static_cast<std::size_t>(share_of_gallery * static_cast<double>(bytes));
   const Gallery shown = gallery(view, scene, images, folder, id, for_gallery);
-  // The gallery's smallest pictures may be larger than its share; the viewer has half of all at least.
+  // The gallery's smallest pictures may be larger than its share; the viewer gets at least half of all bytes.
   const std::size_t for_viewer = std::max(bytes, shown.bytes + bytes / 2) - shown.bytes;
   const std::string json = viewer_json(view, scene, images, folder, id, for_viewer);
   out.set("has_cards", shown.cards.is_non_empty_list());
@@ -154,7 +154,7 @@ void set_rows(data& out, const View& view, const SceneView& scene) {
   out.set("packed_details", base64(deflated(rendered_page(templates::cell_details, details))));
 }
 
-/// How much a scene's other pictures may take beside its text and its thumbnails.
+/// Bytes for a scene's other pictures, besides its text and its thumbnails.
 std::size_t picture_bytes(data& scene_without_pictures, std::size_t thumbnail_bytes) {
   set_scene_partials(scene_without_pictures);
   const std::size_t text = rendered_page(templates::scene_section, scene_without_pictures).size();

@@ -9,11 +9,11 @@
 
 namespace photonproof::reports::inline reports_page {
 
-/// Pictures are read from `folder`; `id` names the scene's anchor and prefixes ids within its plot.
+/// Reads pictures from `folder`; `id` names the scene's anchor and prefixes ids within its plot.
 kainjow::mustache::data scene_data(const View& view, const SceneView& scene, const std::filesystem::path& folder,
                                    const std::string& id);
 
-/// The templates inside scene_section.mustache are set.
+/// Sets the templates inside scene_section.mustache.
 void set_scene_partials(kainjow::mustache::data& object);
 
 }  // namespace photonproof::reports::inline reports_page

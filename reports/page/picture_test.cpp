@@ -59,7 +59,7 @@ TEST_F(Picture, a_thumbnail_is_the_mean_of_whole_blocks) {
   write_png((folder / "wide.png").string(), image);
   const EmbeddedPicture thumbnail = embed_thumbnail(folder, "wide.png", 64);
   EXPECT_EQ(thumbnail.problem, "");
-  EXPECT_EQ(thumbnail.width, 50);  // a factor of 2 is the least that brings 100 below 64
+  EXPECT_EQ(thumbnail.width, 50);  // 2 is the smallest factor that brings 100 below 64
   EXPECT_EQ(thumbnail.height, 25);
   EXPECT_EQ(embed_thumbnail(folder, "wide.png", 100).width, 100);
 }

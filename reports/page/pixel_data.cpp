@@ -21,7 +21,7 @@ constexpr int largest_code = code_of_one + 28 * steps_an_octave;
 constexpr std::int16_t code_of_infinity = 32766, code_of_nan = 32767;
 constexpr int largest_side = 4096;
 
-/// Small differences of either sign become small numbers.
+/// Maps small differences of either sign to small numbers.
 std::uint16_t folded(std::uint16_t difference) {
   const auto value = static_cast<std::int16_t>(difference);
   return static_cast<std::uint16_t>(value < 0 ? -2 * value - 1 : 2 * value);
@@ -109,7 +109,7 @@ PixelDataSet pixel_data(const std::filesystem::path& folder, const std::vector<P
       bytes += pixels.base64.size() + pixels.flip_base64.size();
     }
     if (bytes <= allowance || factor >= longest) return set;
-    // Averages of k x k pixels hold less noise, but take more than half of bytes/k²: smaller factors are not tried.
+    // Averages of k x k pixels have less noise, but take more than half of bytes/k², so smaller factors are not tried.
     const double excess = static_cast<double>(bytes) / static_cast<double>(allowance);
     factor = factor == 1 ? std::max(2, static_cast<int>(std::sqrt(excess / 2))) : factor + 1;
   }

@@ -11,7 +11,7 @@
 namespace photonproof::reports::inline reports_page {
 namespace {
 
-/// What the page's script does (templates/viewer_pixels.js).
+/// Decodes as the page's script does (templates/viewer_pixels.js).
 double value_of(int code) {
   const int size = std::abs(code);
   if (size == 0) return 0;
@@ -94,15 +94,15 @@ TEST_F(PixelDataOfFolder, images_are_reduced_until_they_fit) {
   const PixelDataSet whole = pixel_data(folder.path(), {{"a.exr", "a.png"}}, 0, 1 << 20);
   EXPECT_EQ(whole.reduced_by, 1);
   EXPECT_FALSE(whole.images[0].from_picture);
-  // A quarter of the pixels take about a quarter of the bytes: a limit of a third allows a factor of 2.
+  // A quarter of the pixels take about a quarter of the bytes, so a limit of a third allows a factor of 2.
   const std::size_t third = whole.images[0].base64.size() / 3;
   const PixelDataSet half = pixel_data(folder.path(), {{"a.exr", "a.png"}}, 0, third);
   EXPECT_EQ(half.reduced_by, 2);
   EXPECT_LE(half.images[0].base64.size(), third);
-  EXPECT_EQ(half.images[0].width, 64);  // the render's, not the reduced copy's
+  EXPECT_EQ(half.images[0].width, 64);  // the size of the render, not of the reduced copy
 }
 
-// The picture is no FLIP map, and it is the size of the image; the map of another size is not shown.
+// The picture is no FLIP map, although it has the image's size. The map of another size is not shown.
 TEST_F(PixelDataOfFolder, flip_maps_come_along_and_count) {
   for (const int side : {64, 32}) {
     PngRows flip((folder.path() / ("flip" + std::to_string(side) + ".png")).string(), side, side);

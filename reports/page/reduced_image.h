@@ -5,7 +5,7 @@
 
 namespace photonproof::reports::inline reports_page {
 
-/// Averages blocks of factor x factor pixels; what is left over at the right and bottom edge joins smaller blocks.
+/// Averages blocks of factor x factor pixels; blocks at the right and bottom edges may be smaller.
 Image reduced_image(const Image& image, int factor);
 
 }  // namespace photonproof::reports::inline reports_page

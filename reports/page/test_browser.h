@@ -1,4 +1,4 @@
-// A page in headless Chromium, for tests.
+// Loads a page in headless Chromium, for tests.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -15,11 +15,10 @@ namespace photonproof::reports::inline reports_page {
 
 struct BrowserOutcome {
   std::string dom;
-  std::vector<std::string> console;  ///< one line a message
+  std::vector<std::string> console;  ///< one line per message
 };
 
-/// Loads a file and takes its document once it has loaded. Fails the test when there is no Chromium:
-/// ./check installs it.
+/// Loads a file and returns its document. Fails the test if there is no Chromium; ./check installs it.
 inline BrowserOutcome browse(const std::filesystem::path& page) {
   const TemporaryFolder profile;
   ProcessOptions options;
@@ -42,16 +41,16 @@ inline BrowserOutcome browse(const std::filesystem::path& page) {
   return result;
 }
 
-/// The page in a frame `width` pixels wide, driven by `steps`: the body of an async JavaScript function of (page,
-/// window), the frame's, which returns what it observed. Besides them there are `wait(ms)`, `drawn()`,
-/// `until(condition)`, `key(target, key, more)` and `pointer(target, type, x, y, more)`, which dispatch the events a
-/// reader's hands would.
+/// Shows the page in a frame `width` pixels wide and drives it by `steps`. These are the body of an async JavaScript
+/// function of the frame's (page, window) and return what it observed. It may also call `wait(ms)`, `drawn()`,
+/// `until(condition)`, `key(target, key, more)` and `pointer(target, type, x, y, more)`, which dispatch a user's
+/// events.
 inline nlohmann::json drive(const std::filesystem::path& page, int width, const std::string& steps,
                             std::vector<std::string>* console = nullptr) {
   std::string framed;
   for (const char c : file_text(page)) framed += c == '&' ? "&amp;" : c == '"' ? "&quot;" : std::string(1, c);
   const std::filesystem::path wrapper = page.parent_path() / "wrapper.html";
-  // The page forbids every script but its own; the wrapper's looks in from outside.
+  // The page forbids every script except its own, so the wrapper's script reads it from outside.
   std::ofstream(wrapper)
       << "<!doctype html><title>wrapper</title><link rel=icon href='data:,'><iframe "
          "id=hold></iframe><script>hold.contentDocument.open();</script><iframe id=frame style='width:"

@@ -9,7 +9,7 @@ namespace {
 
 using nlohmann::json;
 
-/// The viewer's JSON of a scene of the sample, with pictures of 8 x 8 in a folder.
+/// The viewer's JSON for a scene of the sample, with pictures of 8 x 8 in a folder.
 json viewer_of(const Results& results, const std::string& name) {
   const TemporaryFolder folder;
   write_sample_pictures(folder.path());

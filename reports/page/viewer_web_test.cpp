@@ -1,7 +1,7 @@
-// The page's viewer, tables and plots, used by keys and pointer in a browser. What is expected of pixels follows from
-// the images: the reference is 0.25 everywhere, the test 0.25 on the left half and 0.5 on the right, with a NaN in the
-// corner; its FLIP map is 0 on the left half and (51 + row) / 255 on the right. 0.25 is displayed as round(255 (1.055
-// 0.25^(1/2.4) - 0.055)) = 137, 0.5 as 188.
+// Drives the page's viewer, tables and plots by keys and pointer in a browser. The reference is 0.25 everywhere. The
+// test is 0.25 on the left half and 0.5 on the right, with a NaN in the corner. Its FLIP map is 0 on the left half and
+// (51 + row) / 255 on the right. The displayed value of 0.25 is round(255 (1.055 0.25^(1/2.4) - 0.055)) = 137, that of
+// 0.5 is 188.
 
 #include <cmath>
 #include <limits>
@@ -47,8 +47,8 @@ class ViewerInBrowser : public testing::Test {
     write_html_report(results, folder.path(), page);
   }
 
-  /// `steps` with `box`, the scene's section, `viewer`, its viewer's root, `stage`, `canvases()`, `shade(canvas, x, y)`
-  /// (red at a place given from 0 to 1) and `button(text)` at hand.
+  /// Runs `steps`, which may use `box`, the scene's section, `viewer`, its viewer's root, `stage` and `canvases()`.
+  /// `shade(canvas, x, y)` is red at a place from 0 to 1, and `button(text)` finds a button.
   json use(const std::string& steps) {
     std::vector<std::string> console;
     const json observed = drive(page, 1280, R"(
@@ -101,7 +101,7 @@ TEST_F(ViewerInBrowser, keys_choose_the_view_and_space_flips) {
   EXPECT_EQ(seen["flipped"], 137);
   EXPECT_EQ(seen["back"], 188);
   EXPECT_EQ(seen["split"], (json{"split image", 137, 188}));  // the reference left of the divider
-  EXPECT_EQ(seen["moved"], (json{137, "90"}));                // which went from 50 to 90 %
+  EXPECT_EQ(seen["moved"], (json{137, "90"}));                // the divider moved from 50 to 90 %
   EXPECT_EQ(seen["side"], (json{"side image", 137, 188}));
   EXPECT_EQ(seen["all"], (json{"all image", 2}));  // povray has no image in the sample
   EXPECT_EQ(seen["browsersOwn"], "all image");

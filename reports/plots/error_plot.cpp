@@ -13,7 +13,7 @@ namespace {
 
 bool drawable(const std::optional<double>& value) { return value && std::isfinite(*value) && *value > 0; }
 
-/// The part of an interval that a logarithmic axis can show.
+/// The part of an interval that fits on a logarithmic axis.
 std::optional<Interval> drawable_part(const std::optional<Interval>& interval, double value) {
   if (!interval || !drawable(interval->high)) return std::nullopt;
   return Interval{drawable(interval->low) ? interval->low : value / 100, interval->high};

@@ -1,5 +1,5 @@
-// The plot of error against time: relMSE over seconds, both logarithmic. Where the harness drew curves over
-// seeds, those with their intervals; else one line for each engine and seed.
+// Plot of error against time: relMSE over seconds, both logarithmic. It shows the harness's curves over seeds with
+// their intervals, else one line for each engine and seed.
 #pragma once
 
 #include <cstddef>
@@ -26,9 +26,9 @@ struct PlotSeries {
 struct ErrorPlot {
   std::vector<PlotSeries> series;  ///< none is empty
   std::size_t left_out = 0;        ///< results that logarithmic axes cannot show: no time, no error or zero
-  bool over_seeds = false;         ///< a point is all seeds of a budget, not one
+  bool over_seeds = false;         ///< a point stands for all seeds of a budget, not for one
   Clock clock = Clock::wall;       ///< of all seconds
-  std::vector<double> targets;     ///< relMSEs that the scene asks for
+  std::vector<double> targets;     ///< relMSEs that the suite sets for the scene
 };
 
 ErrorPlot error_plot(const View& view, const SceneView& scene);

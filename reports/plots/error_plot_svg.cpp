@@ -1,4 +1,4 @@
-// The drawing of an error plot: grid, intervals, lines, then markers, so that nothing hides a marker.
+// Draws an error plot: grid, intervals, lines, then markers, so that nothing hides a marker.
 #include <fmt/format.h>
 
 #include <kainjow/mustache.hpp>

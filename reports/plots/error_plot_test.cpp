@@ -66,8 +66,8 @@ TEST(ErrorPlot, every_point_has_a_marker_and_says_its_numbers) {
 TEST(ErrorPlot, curves_over_seeds_are_drawn_with_intervals_and_the_target) {
   const std::string svg = svg_of(sample_conclusions());
   EXPECT_EQ(count(svg, "class=\"point\""), 2u);
-  // Of the first point relMSE and seconds are known within intervals, of the second relMSE: two ends each, a bar and
-  // its cap an end.
+  // The first point has intervals of relMSE and seconds, the second of relMSE: two ends each, with a bar and a cap per
+  // end.
   const std::string bars = svg.substr(svg.find("class=\"intervals\""));
   EXPECT_EQ(count(bars.substr(0, bars.find("</g>")), "<path"), 3u * 2 * 2);
   EXPECT_EQ(count(svg, "target 0.0250"), 1u);

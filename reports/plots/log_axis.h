@@ -16,14 +16,14 @@ struct LogAxis {
 /// A logarithmic axis with a margin around [smallest, largest], at least a factor of 4 long, and 2 to 10 round ticks.
 LogAxis log_axis(double smallest, double largest);
 
-/// Where an axis draws its values.
+/// Maps an axis to coordinates of the drawing.
 struct LogScale {
   LogAxis axis;
   double from = 0, to = 1;  ///< where axis.low and axis.high are drawn
   double operator()(double value) const;
 };
 
-/// What an axis has to show.
+/// The range of values that an axis shows.
 struct ValueRange {
   double low = 1e300, high = 0;
   void hold(double value);

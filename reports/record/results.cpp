@@ -19,8 +19,8 @@ constexpr std::size_t max_file_bytes = std::size_t{1} << 28;
 
 RecordJson json_of_file(const std::string& path) { return parse_record(read_file(path, max_file_bytes), path); }
 
-/// Written as it reads back, with keys in the order of the alphabet. An engine may print anything: bytes that are not
-/// UTF-8 become U+FFFD.
+/// Written in the form that reading gives, with keys in alphabetical order. An engine may print anything, so bytes that
+/// are not UTF-8 become U+FFFD.
 template <class T>
 void write_file_of(const std::string& path, const T& record) {
   const RecordJson json = record_json(record);
@@ -49,7 +49,7 @@ std::optional<double> seconds_by(Clock clock, const Result& result) {
 }
 
 std::string Budget::amount_text() const {
-  // Whole numbers in full (1000000, not 1e+06): engines take them as integers. 2^53 is where doubles stop counting.
+  // Whole numbers in full (1000000, not 1e+06), since engines read them as integers. Above 2^53 doubles skip integers.
   if (amount == std::floor(amount) && std::abs(amount) < 0x1p53) return std::to_string(static_cast<long long>(amount));
   std::array<char, 32> text{};
   return {text.data(), std::to_chars(text.data(), text.data() + text.size(), amount).ptr};

@@ -19,11 +19,11 @@ inline constexpr std::array gate_verdict_words{"pass", "fail", "inconclusive"};
 inline constexpr std::array change_words{"regression", "improvement", "unchanged", "inconclusive"};
 inline constexpr std::array trust_words{"unbiased", "biased", "external"};
 
-inline std::span<const char* const> words_of(Status) { return status_words; }
-inline std::span<const char* const> words_of(Clock) { return clock_words; }
-inline std::span<const char* const> words_of(Correctness) { return correctness_words; }
-inline std::span<const char* const> words_of(GateVerdict) { return gate_verdict_words; }
-inline std::span<const char* const> words_of(Change) { return change_words; }
+inline std::span<const char* const> names_of(Status) { return status_words; }
+inline std::span<const char* const> names_of(Clock) { return clock_words; }
+inline std::span<const char* const> names_of(Correctness) { return correctness_words; }
+inline std::span<const char* const> names_of(GateVerdict) { return gate_verdict_words; }
+inline std::span<const char* const> names_of(Change) { return change_words; }
 
 inline auto elements(Interval& interval) { return std::tie(interval.low, interval.high); }
 

@@ -9,7 +9,7 @@
 namespace photonproof::inline reports_record {
 namespace {
 
-/// What is read is written, and what was written is read and written the same.
+/// A record that was read is written, read again and written with the same text.
 template <class Read, class Write>
 std::string problem_with_record(const FuzzFolder& folder, const std::string& file, Read read, Write write) {
   const std::string first = (folder.path() / "first.json").string(), second = (folder.path() / "second.json").string();

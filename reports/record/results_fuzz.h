@@ -1,5 +1,5 @@
-// What the fuzzer of results.json and cell.json checks of one input; also run over the stored corpus by an ordinary
-// test.
+// Checks of the fuzzer of results.json and cell.json for one input; an ordinary test also runs them over the stored
+// corpus.
 #pragma once
 
 #include <string>
@@ -7,8 +7,7 @@
 
 namespace photonproof::inline reports_record {
 
-/// Empty when `bytes` are refused with a proper message or read into something that keeps its promises; else what went
-/// wrong.
+/// Empty if `bytes` are refused with a proper message, or read into a record that keeps its promises; else the error.
 std::string check_results(std::string_view bytes);
 
 }  // namespace photonproof::inline reports_record

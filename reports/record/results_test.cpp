@@ -302,7 +302,7 @@ TEST_F(ResultsFile, wrong_type_is_named_by_its_pointer) {
                                  "\"crash\", \"bad_image\", \"unsupported\", \"not_started\"");
 }
 
-// A record from elsewhere could otherwise put any image of this machine on a page that is published.
+// Otherwise a record from elsewhere could put any image of this machine on a published page.
 TEST_F(ResultsFile, images_outside_of_the_record_s_folder_are_refused) {
   for (const char* name : {"../secret.exr", "/srv/secret.exr", "cells/../../secret.exr", ".."}) {
     write_results(path_, example());
@@ -317,7 +317,7 @@ TEST_F(ResultsFile, images_outside_of_the_record_s_folder_are_refused) {
   EXPECT_EQ(error_on_read(), "no error");
 }
 
-// Names alone look harmless; what they lead to is elsewhere. A link to another place in the folder is no harm.
+// The names alone look harmless, but their links lead elsewhere. A link to another place in the folder is allowed.
 TEST_F(ResultsFile, links_that_lead_out_of_the_record_s_folder_are_refused) {
   const fs::path folder = folder_, cell = folder / "cells" / "0123abcd";
   const fs::path elsewhere = folder.parent_path() / (folder.filename().string() + "-elsewhere");

@@ -10,7 +10,7 @@ namespace photonproof::inline reports_stress {
 
 inline constexpr std::array level_outcome_words{"right",     "degraded",       "refused",
                                                 "undecided", "silently wrong", "crashed"};
-inline std::span<const char* const> words_of(LevelOutcome) { return level_outcome_words; }
+inline std::span<const char* const> names_of(LevelOutcome) { return level_outcome_words; }
 
 template <class V>
 void describe(V& v, StressLevel& r) {

@@ -8,7 +8,7 @@
 namespace photonproof::reports::inline reports_stress {
 namespace {
 
-/// What many features climb is told by the lowest of them; the rest a row each.
+/// A climb of at least this many features is shown by the lowest one; other sweeps have a row each.
 constexpr std::size_t many_features = 4;
 
 std::string head(const std::vector<std::string>& first, const std::vector<std::string>& engines) {

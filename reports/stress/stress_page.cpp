@@ -33,7 +33,7 @@ const char* class_of(LevelOutcome outcome) {
   }
 }
 
-/// A mark a level, told apart by shape as well as by colour.
+/// One mark per level, distinct in shape as well as in colour.
 std::string level_mark(const StressLevel& level, double x) {
   switch (level.outcome) {
     case LevelOutcome::right:
@@ -49,7 +49,7 @@ std::string level_mark(const StressLevel& level, double x) {
   }
 }
 
-/// The sweep's levels from left to right, evenly spaced, those that were not climbed as a line alone.
+/// The sweep's levels from left to right, evenly spaced; levels that were not climbed are only a line.
 std::string strip_svg(const StressSweep& sweep, const std::vector<double>& heights) {
   constexpr double step = 15, margin = 8;
   const double width = 2 * margin + step * static_cast<double>(std::max<std::size_t>(1, heights.size()) - 1);
@@ -66,7 +66,7 @@ std::string strip_svg(const StressSweep& sweep, const std::vector<double>& heigh
   return svg + "</svg>";
 }
 
-/// Sweeps of the same feature and climb are a row.
+/// Sweeps of the same feature and climb form a row.
 struct SweepRow {
   const StressSweep* first;
   std::map<std::string, const StressSweep*> by_engine;
@@ -118,7 +118,7 @@ data picture_data(const std::filesystem::path& folder, const std::string& file, 
   return out;
 }
 
-/// The first level that fails, or else the first that is only said to be wrong, with both pictures.
+/// The first level that fails, else the first declared to be wrong, with both pictures.
 data finding_data(const StressSweep& sweep, const StressLevel& level, const std::filesystem::path& folder) {
   data out, pictures(data::type::list);
   out.set("feature", printable(sweep.feature));

@@ -84,8 +84,8 @@ StressRecord read_stress_record(const std::filesystem::path& file) {
 
 namespace {
 
-/// What is known of a height: its level; beyond the last, how that ended the climb; below one that is right, as a quick
-/// climb begins there, right.
+/// Result at a height: its own level if there is one. Beyond the last level it is the end of the climb. Below a right
+/// level it is right, since a quick climb begins there.
 std::optional<StressLevel> level_at(const StressSweep& sweep, double height) {
   for (const StressLevel& level : sweep.levels)
     if (level.height == height) return level;
@@ -108,7 +108,7 @@ std::vector<std::string> steps_of_sweep(const StressSweep& old, const StressSwee
   for (const StressSweep* sweep : {&old, &now})
     for (const StressLevel& level : sweep->levels) heights.insert(level.height);
   std::vector<std::string> sentences;
-  std::optional<double> told;  // a climb that ended is told once
+  std::optional<double> told;  // an ended climb is reported once
   for (const double height : heights) {
     const std::optional<StressLevel> before = level_at(old, height), level = level_at(now, height);
     if (!before || !level || !is_worse(*level, *before) || told == level->height) continue;

@@ -127,7 +127,7 @@ TEST(stress_tables, in_markdown_have_a_column_for_every_engine) {
   EXPECT_NE(reports::stress_markdown(record).find("| shape sphere | scale up | 6 | 3, silently wrong at 6 | all (6) |"),
             std::string::npos)
       << reports::stress_markdown(record);
-  // Four features have one row, of the one that ends lowest.
+  // Four features share one row, with the one that ends lowest.
   for (const char* feature : {"shape cube", "shape disk", "shape plane"}) {
     StressSweep more = record_with({right, right}).sweeps[0];
     more.feature = feature;

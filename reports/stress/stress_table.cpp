@@ -11,10 +11,10 @@ namespace photonproof::reports::inline reports_stress {
 
 namespace {
 
-/// Climbs that a few features have are told apart by these.
+/// Name of the common summary of climbs that few features have.
 constexpr const char* own_sweep_run = "its own";
 
-/// Lower is worse: whether and where pictures stop being right.
+/// Where pictures stop being right; lower is worse.
 double end_of(const StressSweep& sweep) {
   const std::optional<double> right = sweep.right_up_to();
   if (right && sweep.levels.back().outcome == LevelOutcome::right) return 1e9;

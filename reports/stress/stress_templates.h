@@ -1,4 +1,4 @@
-// The files of reports/templates/ that the page of a stress record is made of, compiled in (see embed_templates.cmake).
+// The files of reports/templates/ for the page of a stress record, compiled in (see embed_templates.cmake).
 #pragma once
 
 #include <string_view>

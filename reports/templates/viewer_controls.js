@@ -52,7 +52,7 @@ function exposureSlider(state) {
   return {root: element("label", {class: "exposure"}, "Exposure ", input, " ", output), show};
 }
 
-// What the colours of the layer mean; empty for images.
+// Meaning of the layer's colours; empty for images.
 function layerLegend() {
   const root = element("p", {class: "layer-legend"});
   const show = (state) => {

@@ -1,5 +1,5 @@
-// Mouse, pen and finger on the panes: drag moves, in split mode near the divider it moves that; the wheel zooms when the
-// stage has the focus, so that a page scrolled past does not change; pointing moves the loupe.
+// Mouse, pen and finger on the panes. Dragging moves the image, or near it the divider of split mode. The wheel zooms when
+// the stage has the focus, so a page that is scrolled past does not change. Pointing moves the loupe.
 const dividerReach = 14;  // CSS pixels
 
 function listenToPointer(stage, state) {

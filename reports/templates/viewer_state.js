@@ -1,4 +1,4 @@
-// What a viewer shows. Everything that changes it goes through `set`; everything that depends on it listens.
+// State of a viewer: image, mode, exposure, layer and view. Changes go through `set`; dependents listen.
 const largestZoom = 64;
 
 class ViewerState {

@@ -1,4 +1,4 @@
-// Tables of a record of many scenes: a row a scene for people, a row a pair for programs.
+// Tables of a record of many scenes: one row per scene for people, one row per pair for programs.
 
 #include <fmt/format.h>
 

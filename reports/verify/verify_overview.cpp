@@ -13,7 +13,7 @@ const VerifyPicture* drawn_by(const VerifyScene& scene, const std::string& engin
   return found != scene.pictures.end() ? &*found : nullptr;
 }
 
-/// Whom the others are compared with: of those who are believed the first that declares no error, else the first.
+/// The base of comparisons: the first believed engine without a declared error, else the first with a picture.
 std::string base_of(const VerifyScene& scene) {
   for (const std::string& name : scene.believed) {
     const VerifyPicture* picture = drawn_by(scene, name);
@@ -43,7 +43,7 @@ OverviewCell cell_of(const VerifyScene& scene, const std::string& base, const st
                    : "open"};
 }
 
-/// The largest of those that pairs of the believed would have seen.
+/// The largest minimum detectable error among pairs of the believed engines.
 std::string power_words(const VerifyScene& scene) {
   double worst = 0;
   bool known = false;
@@ -58,7 +58,7 @@ std::string power_words(const VerifyScene& scene) {
   return known ? error_words(worst) : "–";
 }
 
-/// Whether one agrees with an engine of this program that shares no code with it: another's, or a closed form.
+/// Whether an engine of this program agrees with one that shares no code with it: another program, or a closed form.
 bool has_other_witness(const VerifyRecord& record, const VerifyScene& scene) {
   const auto is_ours = [&](const std::string& name) {
     return std::ranges::any_of(record.engines, [&](const VerifyEngineRecord& engine) {

@@ -1,4 +1,4 @@
-// A record of many scenes at one look: a row a scene, a column an engine.
+// A record of many scenes as a table: one row per scene, one column per engine.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace photonproof::inline reports_verify {
 
-/// One engine's mean relative to the base's, of the channel that is off most, and its ssim: "-0.12 % 0.998 ✗".
+/// One engine's mean relative to the base's, in the channel with the largest shift, and its ssim: "-0.12 % 0.998 ✗".
 struct OverviewCell {
   std::string words;
   std::string state;  ///< "good", "bad", "open"; empty where there is nothing
@@ -16,13 +16,13 @@ struct OverviewCell {
 
 struct OverviewRow {
   const VerifyScene* scene = nullptr;
-  std::vector<OverviewCell> cells;  ///< as the columns; the base's says so
-  std::string seen;                 ///< the least error that every pair of those who agree would have shown
+  std::vector<OverviewCell> cells;  ///< in the order of the columns; the base's is marked
+  std::string seen;                 ///< minimum detectable error of every pair that agrees
 };
 
 struct VerifyOverview {
   std::vector<std::string> columns;  ///< engines, the closed form, the stored reference
-  std::vector<OverviewRow> rows;     ///< as the record's scenes
+  std::vector<OverviewRow> rows;     ///< in the order of the record's scenes
   std::string totals;                ///< sentences
 };
 

@@ -75,7 +75,7 @@ data pair_cell(const VerifyPair* pair, bool turned, bool is_self) {
   return cell;
 }
 
-/// Engines against engines: the column's, relative to the row's.
+/// Engines against engines: the column's value relative to the row's.
 void set_matrix(data& out, const VerifyScene& scene) {
   std::vector<std::string> names;
   for (const VerifyPair& pair : scene.pairs)
@@ -158,7 +158,7 @@ data probe_data(const VerifyProbe& probe) {
   return out;
 }
 
-/// One look at all scenes, where they are more than one.
+/// The overview of all scenes, if there are several.
 void set_overview(data& page, const VerifyOverview& overview) {
   data rows(data::type::list);
   for (const OverviewRow& row : overview.rows) {

@@ -114,7 +114,7 @@ TEST(VerifyPage, holds_engines_pairs_and_the_pass_and_no_markup_of_others) {
                            "spot light: POV-Ray 1x closed form"})
     EXPECT_NE(page.find(held), std::string::npos) << held;
   EXPECT_EQ(page.find("<script>alert"), std::string::npos);
-  // The column's against the row's: povray has 2 % less than path, path 2 % more than povray.
+  // The column's value against the row's: povray has 2 % less than path, path 2 % more than povray.
   const std::size_t of_path = page.find("<th scope=\"row\">path</th>"),
                     of_povray = page.find("<th scope=\"row\">povray</th>");
   ASSERT_LT(of_path, of_povray);
@@ -128,7 +128,7 @@ TEST(VerifyTable, says_each_pair_and_what_it_would_have_seen) {
   EXPECT_NE(table.find("1.2 %"), std::string::npos) << table;
 }
 
-// The pair's sentence is of the whole image; a channel's larger shift beside it would read as another error.
+// The pair's sentence is about the whole image. A channel's larger shift beside it would look like a second error.
 TEST(VerifyTable, says_one_size_of_an_error) {
   VerifyRecord record = record_with("differ");
   VerifyPair& pair = record.scenes[0].pairs[0];
@@ -167,7 +167,7 @@ TEST(VerifyTables, have_a_row_a_scene_and_one_a_pair) {
       << verify_csv(record);
   scene.pairs[0].verdict = "agree";
   EXPECT_NE(verify_markdown(record).find("or a closed form: 1."), std::string::npos);
-  // Relative to the base, whichever of a pair comes first.
+  // Relative to the base, in whichever order the pair is stored.
   scene.pairs[0].first = "povray";
   scene.pairs[0].second = "path";
   scene.pairs[0].shift = {0, 0.25, 0};

@@ -19,7 +19,7 @@ void add(std::vector<Detail>& details, const char* term, const std::string& text
   if (!text.empty()) details.push_back({term, {text}});
 }
 
-/// Counts are exact; what an engine reports among them that is no whole number (a radius) is rounded.
+/// Counts are exact. An engine's counts that are not whole numbers (a radius) are rounded.
 std::string count_text(double value) { return value == std::floor(value) ? grouped(value) : significant(value, 4); }
 
 bool has_column(const std::string& metric) {

@@ -1,5 +1,5 @@
-// Colours: Okabe and Ito, "Color Universal Design" (2008), told apart by colour-blind readers; their yellow is left out
-// for its contrast on white.
+// Colours: Okabe and Ito, "Color Universal Design" (2008), which colour-blind readers can distinguish. Their yellow is
+// left out because of its contrast on white.
 #include "reports/view/engine_style.h"
 
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-// How an engine looks wherever it appears on a page: one colour and one marker, in plots and beside its name.
+// Style of an engine on all pages: one colour and one marker, in plots and beside its name.
 #pragma once
 
 #include <cstddef>
@@ -15,7 +15,7 @@ struct EngineStyle {
 /// 35 differ in one or the other.
 EngineStyle engine_style(std::size_t index);
 
-/// The colour as CSS: a variable, since style.css has lighter ones for dark pages, or else EngineStyle::color.
+/// The colour as CSS: a variable, for which style.css has lighter colours on dark pages, else EngineStyle::color.
 std::string engine_color(std::size_t index);
 
 }  // namespace photonproof::reports::inline reports_view

@@ -1,4 +1,4 @@
-// Where a run was made, in a line each.
+// The machine of a run, as lines of text.
 #pragma once
 
 #include <map>
@@ -8,7 +8,7 @@
 
 namespace photonproof::reports::inline reports_view {
 
-/// "Some CPU, 2 cores, 7.7 GiB, Debian 12, Linux 6.1"; what the record does not know is left out.
+/// "Some CPU, 2 cores, 7.7 GiB, Debian 12, Linux 6.1", without unknown parts.
 std::string host_text(const Host& host);
 
 /// "embree 3.13.5, oneTBB 2021.8.0", or the dash.

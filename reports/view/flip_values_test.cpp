@@ -25,7 +25,7 @@ class FlipValues : public testing::Test {
   TemporaryFolder folder;
 };
 
-// Where two neighbours of the table were the same colour, the lower would be found, 1/255 off: there are none.
+// Two equal neighbours in the table would give the lower value, 1/255 off; the test shows that there are none.
 TEST_F(FlipValues, every_colour_of_the_map_is_its_own_value) {
   EXPECT_EQ(std::set<std::uint32_t>(magma_colours.begin(), magma_colours.end()).size(), 256u);
   draw("all.png", {magma_colours.begin(), magma_colours.end()});
@@ -43,7 +43,7 @@ TEST_F(FlipValues, picture_of_other_colours_has_none) {
   EXPECT_FALSE(flip_values(folder.path(), "broken.png"));
 }
 
-// A ramp of differences 1 is almost nothing once deflated, where 65536 bytes of noise would stay as many.
+// A ramp with differences of 1 deflates to almost nothing; 65536 bytes of noise do not shrink.
 TEST_F(FlipValues, smooth_maps_take_few_bytes) {
   Image ramp(256, 256);
   for (std::size_t i = 0; i < ramp.rgb.size(); ++i) ramp.rgb[i] = static_cast<float>(i / 3 % 256) / 255.0f;

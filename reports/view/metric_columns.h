@@ -1,4 +1,4 @@
-// The metrics a table shows, in its order: one row a column. Other metrics of a cell are listed under the details.
+// The metrics in a table, in its order: one row per column. Other metrics of a cell are in its details.
 #pragma once
 
 #include <span>
@@ -15,7 +15,7 @@ struct MetricColumn {
 
 std::span<const MetricColumn> metric_columns();
 
-/// A metric's number as its column shows it; three significant digits when it has none.
+/// A metric's number as in its column; three significant digits if it has no column.
 std::string format_metric(const std::string& metric, double value);
 
 }  // namespace photonproof::reports::inline reports_view

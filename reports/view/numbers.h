@@ -1,4 +1,4 @@
-// Numbers as a reader wants them: enough digits and no more, a real minus sign, and a dash where there is none.
+// Formats numbers for readers: only the needed digits, a real minus sign, and a dash for none.
 #pragma once
 
 #include <cstdint>
@@ -13,9 +13,9 @@ inline constexpr const char* undefined_number = "–";
 std::string significant(double value, int digits = 3);
 /// A fixed number of decimals, for quantities whose scale is known (SSIM, decibels).
 std::string fixed_decimals(double value, int decimals);
-/// A fraction as a signed percentage without the sign %: 0.0123 is "+1.23".
+/// A fraction as a signed percentage without the % sign: 0.0123 is "+1.23".
 std::string signed_percent(double fraction);
-/// An exact count, thousands apart: 2 000 000 (narrow no-break spaces).
+/// An exact count with separated thousands: 2 000 000 (narrow no-break spaces).
 std::string grouped(double value);
 /// Bytes in MB (10^6): one decimal below 10, none above.
 std::string megabytes(std::uint64_t bytes);

@@ -1,4 +1,4 @@
-// Files that results.json names. The names are not trusted: a report shows nothing from outside its folder.
+// Files that results.json names. The names are not trusted: a report shows no file outside its folder.
 #pragma once
 
 #include <filesystem>
@@ -11,7 +11,7 @@ struct ResultsFile {
   std::string problem;         ///< one sentence, empty on success
 };
 
-/// `relative` inside `folder`; a name that is empty, missing, or leads out of the folder is a problem.
+/// Finds `relative` inside `folder`. A name that is empty, missing, or leads out of the folder is a problem.
 ResultsFile results_file(const std::filesystem::path& folder, const std::string& relative);
 
 }  // namespace photonproof::reports::inline reports_view

@@ -1,4 +1,4 @@
-// Where reports put the files of the programs they run.
+// The folder for files of the programs that reports run.
 #pragma once
 
 #include "scenes/files/scratch_folder.h"

@@ -1,4 +1,4 @@
-// A small record for tests: made up, but with everything a report has to show.
+// A small invented record for tests, with everything that a report can show.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -100,7 +100,7 @@ inline Convergence sample_curve() {
   return curve;
 }
 
-/// One that passes, one that fails in two tiles, one that is open.
+/// One gate that passes, one that fails in two tiles, one that is open.
 inline std::vector<GateRecord> sample_gates() {
   GateRecord pass;
   pass.name = "box-photon-relmse";
@@ -158,8 +158,8 @@ inline std::vector<ChangeRecord> sample_changes() {
   return {same, slower};
 }
 
-/// sample_results and everything the harness may conclude from such a run: curves over seeds, gates of which one fails
-/// in two tiles, a stored reference, changes against an older run.
+/// Extends sample_results by all possible conclusions of the harness: curves over seeds, gates with one that fails in
+/// two tiles, a stored reference, changes against an older run.
 inline Results sample_conclusions() {
   Results results = sample_results();
   results.caveats = {"the control's interval excludes 1: this machine is noisy"};

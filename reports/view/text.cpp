@@ -33,7 +33,7 @@ std::string shortened(const std::string& text, std::size_t most) {
 
 namespace {
 
-/// The exponent that `rest` begins with, as digits, and how many bytes it takes: numbers.h writes 10⁻³.
+/// The exponent at the start of `rest` as digits, and the number of its bytes: numbers.h writes 10⁻³.
 std::pair<std::string, std::size_t> leading_exponent(std::string_view rest) {
   static constexpr std::string_view marks[] = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹", "⁻"};
   std::string digits;
@@ -51,7 +51,7 @@ std::pair<std::string, std::size_t> leading_exponent(std::string_view rest) {
   return {digits, bytes};
 }
 
-/// Bytes of the character that begins with this one, of valid UTF-8.
+/// Length in bytes of the character of valid UTF-8 that starts with this byte.
 std::size_t utf8_length(char first) {
   const auto lead = static_cast<unsigned char>(first);
   return lead < 0x80 ? 1 : lead >= 0xF0 ? 4 : lead >= 0xE0 ? 3 : 2;
@@ -61,8 +61,8 @@ struct Replacement {
   std::string_view from, to;
 };
 
-/// What is special to LaTeX, what reports write themselves, and letters of Western European names. Plain LaTeX has them
-/// all, without a package and in any encoding of the document.
+/// Characters that are special to LaTeX, those that reports write, and letters of Western European names. Plain LaTeX
+/// has them all, without a package and in any encoding of the document.
 constexpr Replacement latex_replacements[] = {
     {"\\", "\\textbackslash{}"},
     {"{", "\\{"},

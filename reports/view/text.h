@@ -1,4 +1,4 @@
-// Untrusted text (names, reasons, commands from results.json) made safe to show, and byte encodings a page needs.
+// Makes untrusted text (names, reasons, commands from results.json) safe to show, and encodes bytes for pages.
 #pragma once
 
 #include <cstddef>
@@ -7,8 +7,8 @@
 
 namespace photonproof::reports::inline reports_view {
 
-/// Valid UTF-8 on one line: a malformed byte and a bidirectional control become U+FFFD, any other control character
-/// (line breaks and tabs among them) a space. Markup is not escaped: that is the template's part.
+/// Valid UTF-8 on one line. A malformed byte and a bidirectional control become U+FFFD, any other control character
+/// (also line breaks and tabs) a space. Markup is not escaped: the template does that.
 std::string printable(std::string_view text);
 
 /// `printable` with every character escaped that Markdown (CommonMark and GitHub's tables, maths and raw HTML) would
@@ -18,22 +18,21 @@ std::string markdown_text(std::string_view text);
 /// At most `most` bytes of valid UTF-8, cut between characters.
 std::string shortened(const std::string& text, std::size_t most);
 
-/// `printable` for LaTeX's text mode, in ASCII alone: its special characters are escaped, symbols and accents set by
-/// commands of plain LaTeX, anything else as ascii_text has it. Nothing vanishes.
+/// `printable` for LaTeX's text mode, in ASCII alone. Special characters are escaped, and symbols and accents become
+/// commands of plain LaTeX. Other characters become those of ascii_text, so nothing vanishes.
 std::string latex_text(std::string_view text);
 
-/// `printable` with every character that is not ASCII by its number: "[U+4E2D]".
+/// `printable` with every character outside ASCII replaced by its number: "[U+4E2D]".
 std::string ascii_text(std::string_view text);
 
-/// `printable` for a cell of CSV, quoted where RFC 4180 demands it. A spreadsheet takes what begins like a formula for
-/// one: an apostrophe prevents it.
+/// `printable` for a cell of CSV, quoted where RFC 4180 demands it. A leading apostrophe keeps a spreadsheet from
+/// reading the text as a formula.
 std::string csv_cell(const std::string& text);
 
-/// JSON (or any text) inside a <script> element: "<" is written as the escape that JSON knows, so no "</script>" and no
-/// "<!--" is left.
+/// JSON (or any text) inside a <script> element: "<" becomes JSON's escape, so no "</script>" and no "<!--" is left.
 std::string json_in_html(const std::string& json);
 
-/// A relative path as a URL: everything but RFC 3986's unreserved characters and '/' is percent-encoded.
+/// A relative path as a URL: percent-encodes everything except RFC 3986's unreserved characters and '/'.
 std::string url_path(std::string_view path);
 
 /// RFC 4648 base64 with padding.

@@ -19,7 +19,7 @@ std::string signed_text(double fraction) { return (fraction < 0 ? "−" : "+") +
 
 constexpr const char* somewhere = "in places";
 
-/// The number that goes with a verdict; empty where it has none.
+/// The number beside a verdict; empty if it has none.
 std::string size_text(const CorrectnessRecord& record) {
   const bool judged = record.whole && record.whole->interval;
   switch (record.verdict) {
@@ -30,7 +30,7 @@ std::string size_text(const CorrectnessRecord& record) {
     case Correctness::noisy: {
       if (!judged) return "";
       const double half = (record.whole->interval->high - record.whole->interval->low) / 2;
-      return half < 1 ? "±" + percent(half) : "beyond ±100 %";  // then nothing at all is known
+      return half < 1 ? "±" + percent(half) : "beyond ±100 %";  // the error is then unknown
     }
     case Correctness::unknown:
       return record.whole ? signed_text(record.whole->value) : "";
@@ -146,7 +146,7 @@ std::vector<std::string> race_texts(const View& view) {
   for (const RaceRecord* race : view.races) {
     std::string text = fmt::format("{}, to relMSE {}:", race->scene, significant(race->relmse, 2));
     const RaceRecord::Time* before = nullptr;
-    std::optional<double> fastest;  // a value: no factor comes of a bound
+    std::optional<double> fastest;  // a value: a bound gives no factor
     for (const RaceRecord::Time& time : race->times) {
       const bool first_without_rank = time.unranked && before != nullptr && !before->unranked;
       text += fmt::format("{} {} {}{} s",

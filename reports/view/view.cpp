@@ -41,7 +41,7 @@ void find_reference(const Results& results, SceneView& scene) {
   }
 }
 
-/// Sorts by budget kind in order of appearance, amount, seed, and picks the cell that is shown.
+/// Sorts by budget kind in order of appearance, amount and seed, and picks the cell to show.
 void order_cells(EngineOutcome& outcome) {
   std::vector<std::string> kinds;
   for (const Result* cell : outcome.cells) {
@@ -66,7 +66,7 @@ void add_once(std::vector<MetricParameters>& list, const MetricParameters& entry
   if (std::find(list.begin(), list.end(), entry) == list.end()) list.push_back(entry);
 }
 
-/// Parameters that never change go to the page, the others to the scenes they hold for.
+/// Parameters that are equal everywhere go to the page, the others to their scenes.
 void collect_parameters(View& view) {
   std::vector<MetricParameters> all;
   for (SceneView& scene : view.scenes) {
@@ -110,7 +110,7 @@ void collect_failures(const Results& results, View& view) {
   }
 }
 
-/// Fail before inconclusive before pass.
+/// Order of verdicts: fail, inconclusive, pass.
 int badness(GateVerdict verdict) {
   return verdict == GateVerdict::fail ? 2 : verdict == GateVerdict::inconclusive ? 1 : 0;
 }

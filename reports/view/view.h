@@ -1,4 +1,4 @@
-// results.json arranged for a reader: by scene, then engine, then budget and seed. Both report formats print this. It
+// Arranges results.json for a reader: by scene, engine, budget and seed. Both report formats print this view. It
 // selects and sorts; it computes no number.
 #pragma once
 
@@ -11,13 +11,13 @@
 
 namespace photonproof::reports::inline reports_view {
 
-/// What one engine did on one scene.
+/// The results of one engine on one scene.
 struct EngineOutcome {
   std::size_t engine = 0;            ///< index into View::engines
   std::vector<const Result*> cells;  ///< by budget, then seed; without the reference
-  std::size_t finished = 0;          ///< how many of them are ok
-  /// The finished cell of the largest budget and its first seed: the one pictures and the summary show. Budgets of
-  /// several kinds have no order among them; then it is the kind the record names last.
+  std::size_t finished = 0;          ///< number of them that are ok
+  /// The finished cell of the largest budget and its first seed, which pictures and the summary show. Budgets of
+  /// several kinds have no order, so it is the kind that the record names last.
   const Result* shown = nullptr;
 };
 
@@ -31,9 +31,9 @@ struct MetricParameters {
 struct SceneView {
   SceneRecord record;
   const Result* reference = nullptr;         ///< null when there is no finished one
-  std::string reference_problem;             ///< why not, one sentence
+  std::string reference_problem;             ///< the reason in that case, one sentence
   std::vector<EngineOutcome> engines;        ///< one for each of View::compared
-  std::vector<MetricParameters> parameters;  ///< those that are not the same for the whole page, merged
+  std::vector<MetricParameters> parameters;  ///< those that differ within the page, merged
   std::vector<const GateRecord*> gates;      ///< worst first
   std::optional<GateVerdict> verdict;        ///< the worst of its gates
   std::vector<const Convergence*> curves;
@@ -52,7 +52,7 @@ struct Failure {
 
 struct View {
   std::vector<EngineRecord> engines;
-  std::vector<std::size_t> compared;  ///< the engines to compare: all but those that only made references
+  std::vector<std::size_t> compared;  ///< the engines to compare, without those that only made references
   std::vector<SceneView> scenes;
   std::vector<MetricParameters> parameters;  ///< those that hold for every number of the page
   std::vector<Failure> failures;             ///< all cells that are not ok, references included, in the page's order
@@ -62,19 +62,19 @@ struct View {
   std::vector<const RaceRecord*> races;
 };
 
-/// The view points into `results`, which must outlive it. Scenes and engines that only cells name are kept, after the
-/// listed ones: nothing measured is left out. Scenes whose gates fail come first, then those whose gates are
-/// inconclusive.
+/// The view points into `results`, which must outlive it. Scenes and engines that only cells name are kept after the
+/// listed ones, so that no measurement is left out. Scenes with failing gates come first, then those with inconclusive
+/// gates.
 View arrange(const Results& results);
 
 /// Metrics of equal parameters as one entry, named "a, b".
 std::vector<MetricParameters> merged(const std::vector<MetricParameters>& parameters);
 
-/// Whether there is anything to compare with: a finished cell or a stored image.
+/// Whether the scene has a reference: a finished cell or a stored image.
 bool has_reference(const SceneView& scene);
 /// "path, 4096 spp", "stored: path, 65536 samples", or "none".
 std::string reference_text(const SceneView& scene);
-/// The same with what it took or how exact it is.
+/// The same with its time or its accuracy.
 std::string reference_caption(const SceneView& scene);
 /// Its PNG and its EXR, relative to the results folder; empty when there is none.
 std::string reference_picture(const SceneView& scene);
@@ -92,10 +92,10 @@ std::string failed_cells_text(const Failure& failure);
 /// "exposure +1.5 EV" as every picture of the scene is shown.
 std::string exposure_text(double stops);
 
-/// ISO 8601 UTC as "2026-11-21 02:45:35 UTC"; anything else as it is.
+/// ISO 8601 UTC as "2026-11-21 02:45:35 UTC"; other texts unchanged.
 std::string time_text(const std::string& created);
 
-/// The suite's title, or its name where the record has none.
+/// The suite's title, or its name if the record has no title.
 const std::string& heading(const Results& results);
 
 /// "9 cells: 8 finished, 1 did not", over the whole record.
@@ -104,7 +104,7 @@ std::string totals_text(const Results& results);
 /// "10 gates: 8 pass, 1 fails, 1 inconclusive"; empty when there are none.
 std::string verdicts_text(const std::vector<const GateRecord*>& gates);
 
-/// Index into View::engines of the engine of this name, which the record names somewhere.
+/// Index into View::engines of the engine with this name, which must occur in the record.
 std::size_t engine_index(const View& view, const std::string& name);
 
 }  // namespace photonproof::reports::inline reports_view

@@ -27,7 +27,7 @@ TEST(View, of_several_seeds_the_first_is_shown) {
 TEST(View, an_engine_that_only_made_references_is_not_compared) {
   const Results results = sample_results();
   const View view = arrange(results);
-  ASSERT_EQ(view.engines.size(), 3u);  // photon and povray are listed, path is named by the reference alone
+  ASSERT_EQ(view.engines.size(), 3u);  // photon and povray are listed; only the reference uses path
   EXPECT_EQ(view.engines[2].name, "path");
   EXPECT_EQ(view.compared, (std::vector<std::size_t>{0, 1}));
 }

@@ -64,9 +64,9 @@ struct ChosenFaults {
   std::optional<NumericFault> numeric{};
 };
 
-/// None where the variable is empty or not set. A name that is none of these ends the program with one line and exit
-/// code 2. (Those of kernels and of what they are made of are in one instruction set alone, see
-/// renderer/CMakeLists.txt: `--isa v2`.)
+/// The chosen faults; none where the variable is empty or not set. An unknown name ends the program with one line and
+/// exit code 2. (Faults of kernels and their parts exist in one instruction set only, see renderer/CMakeLists.txt:
+/// `--isa v2`.)
 ChosenFaults fault_of_environment() {
   const char* variable = std::getenv("PHOTONPROOF_FAULT");
   const std::string chosen = variable == nullptr ? "" : variable;
@@ -80,7 +80,7 @@ ChosenFaults fault_of_environment() {
   std::exit(2);
 }
 
-// Before main: whatever the program is asked to do, no sound image passes for a faulty one by a misspelt name.
+// Evaluated before main in every run, so that a misspelt name never yields a sound image in place of a faulty one.
 ChosenFaults of_this_program = fault_of_environment();
 
 }  // namespace

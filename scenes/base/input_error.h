@@ -6,7 +6,7 @@
 
 namespace photonproof::inline scenes_base {
 
-/// Where an entity stands in the files it was read from; line and column count from 1, 0 means unknown.
+/// The place of an entity in the input files; line and column count from 1, 0 means unknown.
 struct SourceLoc {
   int file = 0;  ///< index into SceneDescription::files
   int line = 0;
@@ -15,8 +15,8 @@ struct SourceLoc {
 };
 
 /// `what()` is "file:line:col: error: message" and, where the source is known, the source line and a caret below it.
-/// `summary()` is its first line alone. The program prints the summary (plus the excerpt on a terminal) and exits
-/// with 2. File names and quoted texts may be anybody's: what a terminal would obey is shown as '?'.
+/// `summary()` is its first line alone. The program prints the summary (plus the excerpt on a terminal) and exits with
+/// 2. File names and quoted texts are untrusted: terminal control characters are shown as '?'.
 class InputError : public std::runtime_error {
  public:
   /// An error about a whole file or value, without a position: "where: error: message".

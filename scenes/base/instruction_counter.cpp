@@ -20,7 +20,7 @@ void InstructionCounter::attach(pid_t pid) {
   attributes.disabled = 1;
   attributes.enable_on_exec = 1;
   attributes.inherit = 1;
-  // The kernel's own work depends on what else runs, and an ordinary user may not count it.
+  // The kernel's own work depends on other processes, and an ordinary user may not count it.
   attributes.exclude_kernel = 1;
   attributes.exclude_hv = 1;
   attributes.read_format = PERF_FORMAT_TOTAL_TIME_ENABLED | PERF_FORMAT_TOTAL_TIME_RUNNING;

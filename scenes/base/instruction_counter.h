@@ -16,12 +16,12 @@ class InstructionCounter {
   InstructionCounter& operator=(const InstructionCounter&) = delete;
   ~InstructionCounter();
 
-  /// Counts from the next exec of `pid` on; must be called before that. Where the kernel offers no counter, nothing
-  /// happens.
+  /// Counts from the next exec of `pid` on; must be called before that. Without a counter in the kernel, it does
+  /// nothing.
   void attach(pid_t pid);
 
-  /// After the process was waited for. Empty where nothing was counted, or only part of the time because others used
-  /// the processor's counters too.
+  /// Call after waiting for the process. Empty where nothing was counted, or only part of the time because other
+  /// programs used the processor's counters, too.
   std::optional<std::uint64_t> count() const;
 
  private:

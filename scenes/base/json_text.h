@@ -1,11 +1,11 @@
-// JSON as it is written and printed.
+// JSON text for files and for printing.
 #pragma once
 
 #include <string>
 
 namespace photonproof::inline scenes_base {
 
-/// Indented by two. File names and what other programs say may be any bytes: those that are not UTF-8 become U+FFFD,
+/// Indented by two. File names and other programs' output may be any bytes. Bytes that are not UTF-8 become U+FFFD,
 /// where the library alone would throw.
 template <class Json>
 std::string json_text(const Json& json) {

@@ -1,6 +1,6 @@
-// Faults of numbers that can be planted in the renderer: an epsilon that is a constant, a float where a double was, a
-// clamp that is missing, an origin that is not recentred. Ordinary scenes do not show them; each breaks climbs of
-// `photonproof stress` (harness/stress/numeric_faults_test.cpp). Planted as those of faults.h are.
+// Numerical faults that can be planted in the renderer: a constant epsilon, a float in place of a double, a missing
+// clamp, an origin that is not recentred. Ordinary scenes do not show them; each breaks climbs of `photonproof stress`
+// (harness/stress/numeric_faults_test.cpp). They are planted as those of faults.h.
 #pragma once
 
 #include "scenes/base/faults.h"
@@ -8,15 +8,15 @@
 namespace photonproof::inline scenes_base {
 
 enum class NumericFault {
-  no_recentring,    ///< coordinates keep the file's origin
-  no_rescaling,     ///< coordinates keep the file's unit of length
-  float_faces,      ///< what is huge is met in single precision as all else
-  float_sphere,     ///< rays meet spheres in single precision
-  float_cylinder,   ///< rays meet cylinders so
-  lost_height,      ///< a cylindrical light's height is the difference of two that keep no digits of it
-  far_periods,      ///< textures do not leave out whole periods before they round
-  fixed_step,       ///< rays leave surfaces by one length, whatever their coordinates
-  unclamped_metal,  ///< indices of metals go to where their fourth powers leave single precision
+  no_recentring,    ///< Coordinates keep the file's origin.
+  no_rescaling,     ///< Coordinates keep the file's unit of length.
+  float_faces,      ///< Rays meet huge surfaces in single precision like all others.
+  float_sphere,     ///< Rays meet spheres in single precision.
+  float_cylinder,   ///< Rays meet cylinders in single precision.
+  lost_height,      ///< A cylindrical light's height is a difference of two numbers that keep none of its digits.
+  far_periods,      ///< Textures do not remove whole periods before they round.
+  fixed_step,       ///< Rays leave surfaces by one length, for all coordinates.
+  unclamped_metal,  ///< Indices of metals reach values whose fourth powers exceed single precision.
 };
 
 #ifdef PHOTONPROOF_FAULTS

@@ -1,4 +1,4 @@
-// How sentences write a fraction.
+// How messages write a fraction.
 #pragma once
 
 #include <cstdio>
@@ -6,7 +6,7 @@
 
 namespace photonproof::inline scenes_base {
 
-/// Two digits that count: 0.0123 is "1.2 %".
+/// Two significant digits: 0.0123 is "1.2 %".
 inline std::string percent_text(double fraction) {
   char text[32];
   std::snprintf(text, sizeof text, "%.2g %%", 100 * fraction);

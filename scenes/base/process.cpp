@@ -85,7 +85,7 @@ struct Pipe {
   }
 };
 
-// Keeps the last tail_bytes of what one pipe carries.
+// Keeps the last tail_bytes of one pipe's output.
 class Stream {
  public:
   Stream(Descriptor descriptor, std::string& tail) : descriptor_(std::move(descriptor)), tail_(tail) {
@@ -95,8 +95,8 @@ class Stream {
   int descriptor() const { return descriptor_.get(); }  // poll ignores a negative one
   std::uint64_t bytes() const { return bytes_; }        // that came, kept or not
 
-  // Takes what is there now, at most a tail's worth so that an endless writer cannot keep us from looking at the
-  // limits, and closes at the end of file.
+  // Reads the available bytes, at most a tail's worth, so that an endless writer cannot delay the check of the limits;
+  // closes at the end of file.
   void drain(const std::function<void(std::string_view)>& watcher) {
     std::array<char, 65536> buffer{};
     for (std::size_t taken = 0; open() && taken < tail_bytes;) {
@@ -125,7 +125,7 @@ class Stream {
   std::uint64_t bytes_ = 0;
 };
 
-// What the child's side of fork needs to know.
+// Data that the child's side of fork needs.
 struct Orders {
   char* const* argv;
   const char* folder;
@@ -137,7 +137,7 @@ struct Orders {
 // Descriptors of the caller's that exec would hand on: an open file is a way around every limit set on paths.
 void keep_standard_descriptors_only() {
 #ifdef SYS_close_range
-  constexpr unsigned close_on_exec = 1U << 2;  // CLOSE_RANGE_CLOEXEC: what tells of a failed exec stays open till then
+  constexpr unsigned close_on_exec = 1U << 2;  // CLOSE_RANGE_CLOEXEC: the pipe for a failed exec stays open until exec
   if (syscall(SYS_close_range, 3U, ~0U, close_on_exec) == 0) return;
 #endif
   const long most = std::min(sysconf(_SC_OPEN_MAX), 65536L);
@@ -197,7 +197,7 @@ void write_byte(int descriptor, char byte) {
   }
 }
 
-// Ours to wait for; blocks until it has ended all of its children.
+// Waits for the keeper, our child, which ends after all of its children.
 void wait_for(pid_t keeper, int& status, rusage& usage) {
   while (wait4(keeper, &status, 0, &usage) < 0 && errno == EINTR) {
   }
@@ -312,8 +312,8 @@ class Watch {
   std::uint64_t sampled_peak_ = 0;
 };
 
-// ru_maxrss starts from what the caller held at fork (exec carries it over), so it tells the child's own peak only
-// where it is above that; below, the samples do.
+// ru_maxrss starts from the caller's resident set at fork (exec carries it over). It is the child's own peak only where
+// it is above that; below, the samples give the peak.
 std::uint64_t peak_bytes(const rusage& usage, std::uint64_t inherited, std::uint64_t sampled) {
   const std::uint64_t counted = static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;
   return counted > inherited || sampled == 0 ? std::max(counted, sampled) : sampled;
@@ -370,7 +370,7 @@ ProcessOutcome run_process(const std::vector<std::string>& argv, const ProcessOp
   const bool told = read_whole(child.report.get(), end);
   wait_for(child.keeper, status, usage);
   outcome.all_cpu_seconds = cpu_seconds(usage);
-  if (told) {  // otherwise somebody killed the keeper, and the child with it
+  if (told) {  // otherwise the keeper was killed, and the child with it
     status = end.status;
     usage = end.usage;
   }
@@ -382,7 +382,7 @@ ProcessOutcome run_process(const std::vector<std::string>& argv, const ProcessOp
   outcome.cpu_seconds = cpu_seconds(usage);
   outcome.instructions = counter.count();
   outcome.peak_bytes = peak_bytes(usage, inherited, watch.sampled_peak());
-  // One that came and went between two samples used too much all the same.
+  // A peak between two samples is over the limit, too.
   if (outcome.end == ProcessOutcome::End::exited && options.memory_limit_bytes &&
       outcome.peak_bytes > *options.memory_limit_bytes) {
     outcome.end = ProcessOutcome::End::out_of_memory;

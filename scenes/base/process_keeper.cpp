@@ -17,7 +17,7 @@
 namespace photonproof::inline scenes_base {
 namespace {
 
-// A process that stays in the kernel for longer, or belongs to somebody else, is left behind.
+// A process that stays in the kernel for longer, or belongs to another user, is left behind.
 constexpr int patience_steps = 300;
 constexpr long step_nanoseconds = 10'000'000;
 
@@ -27,7 +27,7 @@ void tell(int report, const Message& message) {
   }
 }
 
-// By proc(5), the second number behind the name in parentheses, which may hold parentheses itself.
+// The second number behind the name in parentheses, which may hold parentheses itself (proc(5)).
 pid_t parent_of(int proc, const char* pid) {
   char path[32], text[1024];
   std::size_t length = 0;

@@ -1,5 +1,5 @@
-// The process between us and a child that we run: orphans of the child, in whatever session or group they are, become
-// children of the keeper (prctl(2), PR_SET_CHILD_SUBREAPER), so that it can end all of them, also when we are killed.
+// The keeper is the process between us and a child that we run. The child's orphans, in any session or group, become
+// the keeper's children (prctl(2), PR_SET_CHILD_SUBREAPER). So it can end all of them, also when we are killed.
 #pragma once
 
 #include <sys/resource.h>
@@ -9,8 +9,8 @@
 
 namespace photonproof::inline scenes_base {
 
-/// What the keeper writes to `report`, in this order: one `KeeperStart` when there is a child or why there is none, one
-/// `KeeperEnd` when the child has ended, and nothing after it has ended all others.
+/// The keeper's messages on `report`: first a `KeeperStart`, with the child or the error. When the child has ended, a
+/// `KeeperEnd` follows, and the end of file when all others have ended.
 struct KeeperStart {
   pid_t child = 0;
   int error = 0;  ///< errno where there is no child
@@ -20,15 +20,15 @@ struct KeeperEnd {
   rusage usage{};  ///< of the child and the children it waited for
 };
 
-/// What we write to `orders`; its end of file means `kill`.
+/// Our messages on `orders`; its end of file means `kill`.
 enum class KeeperOrder : char {
   interrupt,  ///< SIGINT to the child's group
   kill,       ///< SIGKILL to all
 };
 
-/// The keeper's side of fork: forks the child, whose side is `become` (it never returns), and leaves when no process is
-/// left that descends from it, or those left cannot be killed. `orders` and `report` are pipes, whose other ends are
-/// closed already; every other descriptor is closed here. Never returns; only async-signal-safe calls.
+/// The keeper's side of fork. It forks the child, which runs `become` (this never returns). It ends when no descendant
+/// of the child is left, or those left cannot be killed. `orders` and `report` are pipes, whose other ends are closed
+/// already; every other descriptor is closed here. Never returns; only async-signal-safe calls.
 [[noreturn]] void keep_child(int orders, int report, const std::function<void(pid_t keeper)>& become);
 
 }  // namespace photonproof::inline scenes_base

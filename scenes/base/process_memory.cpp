@@ -63,7 +63,7 @@ std::vector<ProcessRow> all_processes() {
   return rows;
 }
 
-// VmHWM belongs to the program now running: unlike ru_maxrss it forgets what the process was before exec.
+// VmHWM belongs to the program now running: unlike ru_maxrss it excludes the time before exec.
 std::uint64_t peak_of(const std::string& pid) {
   const std::string status = read_proc("/proc/" + pid + "/status");
   const auto at = status.find("\nVmHWM:");
@@ -75,7 +75,7 @@ std::uint64_t peak_of(const std::string& pid) {
 MemorySample sample_memory(pid_t keeper) {
   const std::vector<ProcessRow> rows = all_processes();
   std::set<pid_t> members{keeper};
-  // A parent may stand behind its child in the listing (process numbers wrap around), hence until nothing changes.
+  // A parent may stand behind its child in the listing (process numbers wrap around), so repeat until nothing changes.
   for (std::size_t before = 0; before != members.size();) {
     before = members.size();
     for (const ProcessRow& row : rows)

@@ -1,4 +1,4 @@
-// What a running process tree holds in memory, read from /proc: the limit and the peak of run_process.
+// Memory of a running process tree, read from /proc: for the limit and the peak of run_process.
 #pragma once
 
 #include <sys/types.h>
@@ -16,7 +16,7 @@ struct MemorySample {
 /// none is left. Costs about 10 us for each process of the machine.
 MemorySample sample_memory(pid_t keeper);
 
-/// This process's own high-water mark; 0 when /proc does not say.
+/// This process's own high-water mark; 0 when /proc does not have it.
 std::uint64_t own_peak_bytes();
 
 }  // namespace photonproof::inline scenes_base

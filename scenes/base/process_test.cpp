@@ -86,7 +86,7 @@ TEST(Process, processor_that_does_not_exist_is_not_started) {
   EXPECT_EQ(run_process({"true"}, options).end, End::not_started);
 }
 
-// A shell's loop of 20000 turns retires more than one of 10; a kernel without counters says nothing for either.
+// A shell's loop of 20000 turns retires more than one of 10; a kernel without counters has no count for either.
 TEST(Process, instructions_are_counted_where_the_kernel_does_or_absent) {
   const auto loop = [](const char* turns) {
     return shell("i=0; while [ $i -lt " + std::string(turns) + " ]; do i=$((i+1)); done").instructions;
@@ -135,7 +135,7 @@ TEST(Process, cpu_time_is_counted_apart_from_wall_time) {
   EXPECT_GE(outcome.wall_seconds, 0.3);
 }
 
-// The inner shells are nobody's child but the keeper's when they end.
+// The inner shells become the keeper's children when their parent ends.
 TEST(Process, cpu_time_of_descendants_that_the_child_did_not_wait_for_is_counted_in_all) {
   const ProcessOutcome outcome =
       shell("( ( i=0; while [ $i -lt 300000 ]; do i=$((i+1)); done; kill -9 $$ ) & ) ; sleep 60");
@@ -209,7 +209,7 @@ TEST(Process, standard_error_is_seen_while_it_runs) {
 TEST(Process, orphaned_grandchild_dies_with_its_parent) {
   const ProcessOutcome outcome = shell("sleep 60 & echo $!");
   EXPECT_EQ(outcome.end, End::exited);
-  EXPECT_LT(outcome.wall_seconds, 10);  // the orphan holds the pipes open, yet nobody waits for it
+  EXPECT_LT(outcome.wall_seconds, 10);  // the orphan holds the pipes open without delaying the run
   EXPECT_TRUE(ends_within_two_seconds(static_cast<pid_t>(std::stol(outcome.standard_output))));
 }
 

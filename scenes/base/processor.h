@@ -1,14 +1,14 @@
-// Which instruction sets this processor has: the one place that asks. What is compiled for several of them takes the
-// best by it (renderer/kernels/isa.cpp, harness/pixels/pixel_loops_isa.cpp).
+// Instruction sets of this processor; no other code queries them. Code compiled for several sets runs the best one
+// (renderer/kernels/isa.cpp, harness/pixels/pixel_loops_isa.cpp).
 #pragma once
 
 namespace photonproof::inline scenes_base {
 
 #if defined(__x86_64__)
-/// 4, 3 or 2, of x86-64-v4, v3 or v2, which is what everything is compiled for.
+/// 4, 3 or 2, for x86-64-v4, v3 or v2; everything is compiled for v2.
 inline int x86_64_level() {
   __builtin_cpu_init();
-#if defined(__clang__)  // knows features, not levels (the fuzzers are built by it)
+#if defined(__clang__)  // has features, not levels (it builds the fuzzers)
   const bool v3 = __builtin_cpu_supports("avx2") != 0 && __builtin_cpu_supports("fma") != 0 &&
                   __builtin_cpu_supports("bmi") != 0 && __builtin_cpu_supports("bmi2") != 0;
   const bool v4 = __builtin_cpu_supports("avx512f") != 0 && __builtin_cpu_supports("avx512bw") != 0 &&

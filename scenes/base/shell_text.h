@@ -1,4 +1,4 @@
-// Words as a POSIX shell reads them.
+// Quoting for a POSIX shell.
 #pragma once
 
 #include <string>
@@ -6,7 +6,7 @@
 
 namespace photonproof::inline scenes_base {
 
-/// One word of a command line, quoted where it has to be.
+/// One word of a command line, quoted where necessary.
 std::string shell_word(const std::string& text);
 
 /// A command that a shell would run with exactly these arguments.

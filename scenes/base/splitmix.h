@@ -1,4 +1,4 @@
-// Random bits as a function of a number, for what is drawn once and stored.
+// Random bits as a function of a number, for values that are made once and stored.
 #pragma once
 
 #include <cstdint>

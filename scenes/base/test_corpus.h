@@ -1,5 +1,5 @@
 // The corpus of a fuzz target as an ordinary test: every file whole, cut short, and with bytes changed at random. The
-// mutations are the same each time; PHOTONPROOF_MUTATIONS asks for more of them than fit into a test.
+// mutations are the same each time; PHOTONPROOF_MUTATIONS sets a number of them that may exceed a test's time.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -48,13 +48,13 @@ inline std::string mutated(std::string bytes, const std::string& other, std::mt1
   return bytes;
 }
 
-/// As they are: read_file refuses what looks like a pointer of Git LFS, which fuzzers come upon.
+/// The unchanged bytes: read_file refuses texts that look like a pointer of Git LFS, which fuzzers generate.
 inline std::string bytes_of(const std::filesystem::path& file) {
   std::ifstream in(file, std::ios::binary);
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-/// `corpus` is unpacked in the build folder; it has `least` files at least. `check` says what is wrong with one input.
+/// `corpus` is unpacked in the build folder and has at least `least` files. `check` returns the problem of one input.
 template <class Check>
 void check_corpus(const std::string& corpus, std::size_t least, Check check) {
   std::vector<std::filesystem::path> names;

@@ -1,5 +1,5 @@
-// What fuzz targets share: input as a file, where a reader wants one, what every message keeps, and the stored corpora
-// as ordinary tests, so that what a fuzzer once found stays found in every build.
+// Common parts of fuzz targets: input as a file, where a reader needs one, and checks of every message. The stored
+// corpora also run as ordinary tests, so every build checks past findings.
 #pragma once
 
 #include <unistd.h>
@@ -19,7 +19,7 @@
 
 namespace photonproof::inline scenes_base {
 
-/// A folder of this process's own, for files that are written over and over; gone with the object.
+/// A folder of this process's own, for files that are written repeatedly; removed with the object.
 class FuzzFolder {
  public:
   FuzzFolder() {
@@ -47,7 +47,7 @@ class FuzzFolder {
   std::filesystem::path path_;
 };
 
-/// Empty when the message is valid UTF-8, its summary one line and its beginning; else what is wrong.
+/// Empty when the message is valid UTF-8, its summary one line and its beginning; else the problem.
 inline std::string problem_with_message(const InputError& error) {
   const std::string what = error.what();
   if (find_invalid_utf8(what) != std::string::npos) return "a message is not valid UTF-8";
@@ -55,7 +55,7 @@ inline std::string problem_with_message(const InputError& error) {
   return error.summary().find('\n') != std::string::npos ? "a summary of several lines: " + error.summary() : "";
 }
 
-/// What libFuzzer calls for every input: ends the program where `check` finds a problem.
+/// The function that libFuzzer calls for every input: it ends the program where `check` finds a problem.
 template <class Check>
 int fuzz_input(Check check, const std::uint8_t* data, std::size_t size) {
   const std::string problem = check(std::string_view(reinterpret_cast<const char*>(data), size));

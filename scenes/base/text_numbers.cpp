@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::string_view kSpace = " \t\r\n";
 
-/// Without surrounding white space and an explicit plus, which std::from_chars does not take.
+/// The text without surrounding white space and an explicit plus, which std::from_chars rejects.
 std::string_view bare(std::string_view text) {
   const auto first = text.find_first_not_of(kSpace);
   if (first == std::string_view::npos) return {};

@@ -1,4 +1,4 @@
-// From a byte of a text to the line and column that messages name.
+// Converts a byte offset in a text to the line and column that messages name.
 #pragma once
 
 #include <cstddef>

@@ -1,5 +1,6 @@
-// Tells the thread sanitizer what libraries order that are not built with it (oneTBB, Embree): without it, each loop of
-// theirs would look like a race between who begins it and who works in it. In other builds none of this is anything.
+// Marks orderings for the thread sanitizer that uninstrumented libraries establish (oneTBB, Embree). Without these
+// marks each of their loops looks like a race between its starter and its workers. Other builds compile this to
+// nothing.
 #pragma once
 
 #if defined(__has_feature)
@@ -9,8 +10,8 @@
 #endif
 #endif
 
-/// After the parameters of a lambda that such a library calls: its captures, of the thread that made it, are read
-/// before it can say `takes_over`.
+/// Stands after the parameters of a lambda that such a library calls. The lambda reads its captures, written by the
+/// thread that made it, before it can call `takes_over`.
 #ifdef PHOTONPROOF_THREADS_WATCHED
 #define PHOTONPROOF_CALLED_BY_LIBRARY __attribute__((no_sanitize("thread")))
 #else
@@ -19,8 +20,7 @@
 
 namespace photonproof::inline scenes_base {
 
-/// What this thread has done comes before what another does after `takes_over` of the same address, which is a name
-/// only.
+/// This thread's work so far comes before another's work after `takes_over` of the same address, which is only a name.
 inline void hands_over([[maybe_unused]] const void* name) {
 #ifdef PHOTONPROOF_THREADS_WATCHED
   __tsan_release(const_cast<void*>(name));

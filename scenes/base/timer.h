@@ -1,4 +1,4 @@
-// Wall time, by a clock that nobody sets: since something began, and of phases.
+// Wall time of a run and of its phases, by a clock that cannot be set.
 #pragma once
 
 #include <chrono>
@@ -7,7 +7,7 @@ namespace photonproof::inline scenes_base {
 
 class Timer {
  public:
-  /// Since it was made.
+  /// Seconds since construction.
   double seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
 
  private:

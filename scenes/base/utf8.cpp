@@ -11,8 +11,8 @@ struct CodePoint {
   std::size_t length = 0;  ///< 0: malformed
 };
 
-/// What starts `text`, which is not empty, as Unicode 15 table 3-7 allows it: no overlong forms, no surrogates, nothing
-/// past U+10FFFF.
+/// The code point at the start of `text`, which is not empty, as Unicode 15 table 3-7 allows it: no overlong forms, no
+/// surrogates, nothing past U+10FFFF.
 CodePoint decode(std::string_view text) {
   const auto byte = [&](std::size_t i) { return static_cast<std::uint32_t>(static_cast<unsigned char>(text[i])); };
   const std::uint32_t lead = byte(0);

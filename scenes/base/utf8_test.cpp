@@ -35,7 +35,7 @@ TEST(printable, replaces_only_what_breaks_a_line) {
   EXPECT_EQ(printable(std::string("\0\n\x1B[31m\xFF\xC3", 9)), "???[31m??");
 }
 
-// A terminal obeys U+009B (C2 9B) as it does ESC [; U+202E turns what follows round.
+// A terminal treats U+009B (C2 9B) as ESC [; U+202E reverses the following text.
 TEST(printable, shows_what_a_terminal_would_obey) {
   EXPECT_EQ(printable("\xC2\x9B"
                       "31m\x7F\xE2\x80\xA8"),

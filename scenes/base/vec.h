@@ -70,7 +70,7 @@ bool is_finite(const Vec3<T>& a) {
 
 using Vec3d = Vec3<double>;
 using Vec3f = Vec3<float>;
-/// Linear Rec.709 colour: reflectance (unitless), radiance (W m^-2 sr^-1) or flux, as the name of the variable says.
+/// Linear Rec.709 colour: reflectance (unitless), radiance (W m^-2 sr^-1) or flux, as the variable's name indicates.
 using Rgb = Vec3<float>;
 using RgbD = Vec3<double>;
 

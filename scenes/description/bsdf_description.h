@@ -1,4 +1,4 @@
-// BSDFs as a scene file says them.
+// BSDFs as a scene file states them.
 #pragma once
 
 #include <array>
@@ -14,15 +14,15 @@
 
 namespace photonproof::inline scenes_description {
 
-/// Facts of a kind of BSDF that decide elsewhere, whatever it nests.
+/// Facts of a kind of BSDF on which other code decides, without those of nested BSDFs.
 struct BsdfTraits {
-  GivenBool transmits;  ///< lets light through
-  GivenBool specular;   ///< turns some light into a single direction: mirrors, smooth glass, clear coats
-  GivenBool refracts;   ///< bends the light that it lets through
-  /// Gathers light into caustics that matter. Plastic and lacquer do not: their base dims what their thin gloss could
-  /// focus.
+  GivenBool transmits;  ///< Light passes through.
+  GivenBool specular;   ///< Turns some light into a single direction: mirrors, smooth glass, clear coats.
+  GivenBool refracts;   ///< Bends transmitted light.
+  /// Focuses light into relevant caustics. Plastic and lacquer do not: their base dims the light that their thin gloss
+  /// could focus.
   GivenBool focuses;
-  GivenBool shows_others;  ///< a camera sees what it mirrors or lets through, rather than the surface itself
+  GivenBool shows_others;  ///< A camera sees the mirrored or transmitted scene rather than the surface itself.
 };
 
 struct ComplexIor {
@@ -103,8 +103,8 @@ struct DielectricDescription {
   double ext_ior = 1.000277;  // air
   Colour specular_reflectance = RgbD(1.0);
   Colour specular_transmittance = RgbD(1.0);
-  /// Extension, for bodies that overlap (Schmidt and Budge 2002): inside several, the highest priority's index and
-  /// medium count. Without it the surface always separates int_ior from ext_ior.
+  /// Extension, for bodies that overlap (Schmidt and Budge 2002): where several overlap, the index and medium of the
+  /// highest priority count. Without it the surface always separates int_ior from ext_ior.
   std::optional<int> priority = {};
   friend bool operator==(const DielectricDescription&, const DielectricDescription&) = default;
 };
@@ -217,7 +217,7 @@ struct PhongDescription {
       .transmits = false, .specular = false, .refracts = false, .focuses = false, .shows_others = false};
   Scalar exponent = 30.0;
   Colour diffuse_reflectance = RgbD(0.5), specular_reflectance = RgbD(0.2);
-  /// Names and colours that may add up to 1; where they add up to more they are rendered divided by their sum.
+  /// Names and colours that may add up to 1. A larger sum is rendered divided by itself.
   std::array<std::pair<const char*, Colour>, 2> shares() const {
     return {{{"diffuse_reflectance", diffuse_reflectance}, {"specular_reflectance", specular_reflectance}}};
   }
@@ -237,9 +237,9 @@ struct LayeredDescription {
   static constexpr BsdfTraits traits{
       .transmits = false, .specular = true, .refracts = false, .focuses = false, .shows_others = false};
   BsdfIndex base;
-  double int_ior = 1.5046, ext_ior = 1.000277;  ///< of the lacquer and of what is above it
+  double int_ior = 1.5046, ext_ior = 1.000277;  ///< indices of the lacquer and of the medium above it
   RgbD sigma_a{0.0};                            ///< absorption of the lacquer, per scene unit
-  double thickness = 1;                         ///< scene units
+  double thickness = 1;                         ///< in scene units
   Colour specular_reflectance = RgbD(1.0);
   friend bool operator==(const LayeredDescription&, const LayeredDescription&) = default;
 };
@@ -267,7 +267,7 @@ void describe(P& p, TwoSidedDescription& d) {
   p.one_or_two_bsdfs(d.front, d.back, "one or two BSDFs that do not transmit");
 }
 
-/// `nested` where the surface is there, nothing where it is not.
+/// `nested` on the share `opacity` of the surface, no surface elsewhere.
 struct MaskDescription {
   static constexpr BsdfTraits traits{
       .transmits = true, .specular = false, .refracts = false, .focuses = false, .shows_others = false};
@@ -300,7 +300,7 @@ void describe(P& p, BlendDescription& d) {
   p.two_bsdfs(d.first, d.second, "two BSDFs");
 }
 
-/// No surface: a border between media.
+/// No surface: a boundary between media.
 struct NullDescription {
   static constexpr BsdfTraits traits{
       .transmits = true, .specular = false, .refracts = false, .focuses = false, .shows_others = true};
@@ -312,9 +312,9 @@ void describe(P& p, NullDescription&) {
   p.plugin("null", "no surface, a border between media");
 }
 
-/// What Mitsuba 3.7.1 and later do with normals that are not the surface's own.
+/// Rules of Mitsuba 3.7.1 and later for shading normals that differ from the surface's own.
 struct MappedNormalsDescription {
-  bool flip_invalid_normals = true;    ///< a normal that is turned away from the viewer is mirrored to face them
+  bool flip_invalid_normals = true;    ///< a normal that points away from the viewer is mirrored to face them
   bool use_shadowing_function = true;  ///< bumps shadow each other
   friend bool operator==(const MappedNormalsDescription&, const MappedNormalsDescription&) = default;
 };
@@ -367,7 +367,7 @@ void describe(P& p, NormalMapDescription& d) {
 struct BsdfDescription {
   SourceLoc loc;
   std::string id;  ///< empty when unnamed
-  /// A BSDF comes after the ones it nests.
+  /// A BSDF comes after its nested BSDFs.
   std::variant<DiffuseDescription, ConductorDescription, DielectricDescription, RoughConductorDescription,
                ThinDielectricDescription, RoughDielectricDescription, PlasticDescription, RoughPlasticDescription,
                PhongDescription, LayeredDescription, TwoSidedDescription, MaskDescription, BlendDescription,
@@ -379,7 +379,7 @@ inline BsdfTraits traits_of(const BsdfDescription& bsdf) {
   return std::visit([]<class Model>(const Model&) { return Model::traits; }, bsdf.model);
 }
 
-/// What only chooses or turns other BSDFs and has no record.
+/// BSDFs that only choose or turn other BSDFs and have no record.
 template <class Description>
 concept WrappingBsdf = std::same_as<Description, TwoSidedDescription> || std::same_as<Description, MaskDescription> ||
     std::same_as<Description, BlendDescription> || std::same_as<Description, BumpMapDescription> ||
@@ -387,7 +387,7 @@ concept WrappingBsdf = std::same_as<Description, TwoSidedDescription> || std::sa
 template <class Description>
 concept LeafBsdf = !WrappingBsdf<Description>;
 
-/// The BSDFs that one nests, in the order of its description.
+/// The BSDFs nested in one, in the order of its description.
 std::vector<BsdfIndex> nested_bsdfs(const BsdfDescription& bsdf);
 
 }  // namespace photonproof::inline scenes_description

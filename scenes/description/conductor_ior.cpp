@@ -8,12 +8,12 @@ struct Row {
   ComplexIor ior;
 };
 
-/// Measurements from the luxpop.com database and, where the name says so, from Palik, "Handbook of Optical Constants of
-/// Solids" (1985), the files data/ior/*.spd of Mitsuba, reduced to linear RGB as rgb_of_spectrum does an emission. The
-/// numbers are those that Bitterli's Tungsten renderer publishes (src/core/bsdfs/ComplexIorData.hpp), components below
-/// 0 set to 0. AlAs, Cu2O, CuO and d-C are Mitsuba 3.9.1's: for them Tungsten's coarse integral is up to 1.1 % off in
-/// what the metal reflects, for all others at most 0.07 %. spectrum_test.cpp repeats the reduction for gold and for the
-/// oxides of copper. AlSb is left out: its data miss the red end of the spectrum.
+/// Measurements from the luxpop.com database; names that say so are from Palik, "Handbook of Optical Constants of
+/// Solids" (1985). They are the files data/ior/*.spd of Mitsuba, reduced to linear RGB as rgb_of_spectrum does an
+/// emission. The numbers are those of Bitterli's Tungsten renderer (src/core/bsdfs/ComplexIorData.hpp), components
+/// below 0 set to 0. AlAs, Cu2O, CuO and d-C are Mitsuba 3.9.1's: Tungsten's coarse integral errs by up to 1.1 % in
+/// their metals' reflectance, by at most 0.07 % for all others. The test spectrum_test.cpp repeats the reduction for
+/// gold and for the oxides of copper. AlSb is left out: its data lack the red end of the spectrum.
 const Row kConductors[] = {
     {"a-C", {{2.9441, 2.22715, 1.968167}, {0.8874329, 0.7993216, 0.8152863}}},
     {"Ag", {{0.1552646, 0.1167233, 0.1383807}, {4.828343, 3.122246, 2.14695}}},

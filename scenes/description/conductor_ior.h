@@ -9,7 +9,7 @@
 
 namespace photonproof::inline scenes_description {
 
-/// eta and k of one of Mitsuba's named materials in linear RGB, as its rgb variants see them.
+/// eta and k of one of Mitsuba's named materials in linear RGB, equal to those of its rgb variants.
 std::optional<ComplexIor> conductor_named(const std::string& material);
 std::vector<std::string> conductor_names();
 

@@ -1,8 +1,8 @@
-// What a scene file says, as plain values: the exchange type between parser, writer, renderer and POV-Ray export.
-// Meaning, orientation and defaults are Mitsuba 3's. Lengths in scene units; radiance W m^-2 sr^-1; intensity W sr^-1.
-// Below each struct of a plugin stands its `describe(p, description)`: the plugin's name and its parameters, in the
-// order they are written in. `p` is who asks: PluginWriter, PluginReader, which gets the defaults and leaves what the
-// file gives, PluginRows, the list of names and meanings, or PluginName. Defaults are those of the structs.
+// A scene file's content as plain values: the exchange type between parser, writer, renderer and POV-Ray export.
+// Meaning, orientation and defaults are Mitsuba 3's. Lengths in scene units, radiance W m^-2 sr^-1, intensity W sr^-1.
+// Below each struct of a plugin stands its `describe(p, description)`: the plugin's name and its parameters, in writing
+// order. `p` is PluginWriter, PluginRows (the list of names and meanings), PluginName or PluginReader. The reader
+// receives the defaults, which are those of the structs, and leaves the file's values.
 #pragma once
 
 #include <string>

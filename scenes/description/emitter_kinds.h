@@ -1,4 +1,4 @@
-// What kinds of emitters have in common.
+// Properties of kinds of emitters.
 #pragma once
 
 #include <variant>
@@ -11,13 +11,13 @@ inline EmitterTraits traits_of(const EmitterDescription& emitter) {
   return std::visit([]<class Light>(const Light&) { return Light::traits; }, emitter.light);
 }
 
-/// It has one point or one direction: no ray meets it.
+/// Whether it has one point or one direction, so that rays never meet it.
 inline bool is_without_size(const EmitterDescription& emitter) { return traits_of(emitter).without_size; }
 
-/// Its light comes from all around, and is given by direction.
+/// Whether its light comes from all around and is given by direction.
 inline bool surrounds(const EmitterDescription& emitter) { return traits_of(emitter).surrounds; }
 
-/// Its light comes from beyond the scene.
+/// Whether its light comes from beyond the scene.
 inline bool is_infinitely_far(const EmitterDescription& emitter) { return traits_of(emitter).infinitely_far; }
 
 }  // namespace photonproof::inline scenes_description

@@ -26,7 +26,7 @@ std::string source_line(const std::string& text, int line) {
   return start == std::string::npos ? "" : text.substr(start, text.find('\n', start) - start);
 }
 
-/// A table whose every key must be asked for.
+/// A table whose every key must be read.
 class Table {
  public:
   Table(const std::string& text, const std::string& path, const toml::table& table, std::string name)
@@ -184,7 +184,7 @@ class ExpectReader {
     return result;
   }
 
-  /// What the residuals of all engines have.
+  /// Fields that the residuals of all engines have.
   template <class Residual>
   void read_residual(Table& table, Residual& result) const {
     result.size = static_cast<int>(table.number("size"));

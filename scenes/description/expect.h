@@ -1,4 +1,4 @@
-// What is expected of a scene: the expect.toml beside its scene.xml.
+// Expected results of a scene: the expect.toml beside its scene.xml.
 #pragma once
 
 #include <map>
@@ -13,38 +13,38 @@ namespace photonproof::inline scenes_description {
 
 struct Analytic {
   std::string formula;       ///< in words and symbols, for reports
-  std::optional<RgbD> mean;  ///< of the whole image at the scene's default parameters, radiance
+  std::optional<RgbD> mean;  ///< radiance, mean over the image at the scene's default parameters
 };
 
-/// A bound on a metric that is wider than the suite's, for one engine, and why it has to be.
+/// A bound on a metric that is wider than the suite's, for one engine, with its reason.
 struct Tolerance {
   std::string engine;
   std::string metric;  ///< a name of the metrics table
   double value = 0;    ///< largest allowed magnitude
   std::string reason;
-  std::optional<double> block{};  ///< of blocks of 8 x 8 pixels, relative to their mean, where verify compares them
+  std::optional<double> block{};  ///< for blocks of 8 x 8 pixels, relative to their mean, where verify compares them
 };
 
-/// The mean's difference over images of several seeds, where one image's noise, or POV-Ray's cache, hides it.
+/// The mean's difference over images of several seeds, where one image's noise or POV-Ray's cache hides it.
 struct PairsResidual {
-  int count = 0;             ///< of pairs of an image by the engine, POV-Ray by paths, and one by us
+  int count = 0;             ///< pairs of an image by the engine, POV-Ray by paths, and one of ours
   double mean_percent = 0;   ///< signed difference of the means
-  double noise_percent = 0;  ///< its standard error, as the pairs' spread says
+  double noise_percent = 0;  ///< its standard error, from the pairs' spread
 };
 
-/// How far the scene's picture by Cycles is from ours, measured once by the same script, and what it costs.
+/// The difference of the scene's image by Cycles from ours, measured once by the same script, and its cost.
 struct CyclesResidual {
   int size = 0;              ///< pixels across and down
   int spp = 0;               ///< samples a pixel
   double mean_percent = 0;   ///< signed difference of the means
-  double noise_percent = 0;  ///< standard error of Cycles' mean, as its batches say
+  double noise_percent = 0;  ///< standard error of Cycles' mean, from its batches
   double relmse = 0;
   double ssim = 0;
   double seconds = 0;                    ///< of processor time
-  std::optional<PairsResidual> pairs{};  ///< where the mean is off by more than is aimed for
-  std::optional<std::string> cause;      ///< why it is more than is aimed for, where it is
+  std::optional<PairsResidual> pairs{};  ///< where the mean's error exceeds the target
+  std::optional<std::string> cause;      ///< why it exceeds the target, where it does
 
-  /// What is aimed for: a mean within 0.3 % of ours, or within three standard errors where those are wider.
+  /// Whether the residual meets the target: a mean within 0.3 % of ours, or within three standard errors if wider.
   bool is_small() const {
     const auto is_near = [](double mean, double noise) {
       const double most = 3 * noise > 0.3 ? 3 * noise : 0.3;
@@ -54,35 +54,35 @@ struct CyclesResidual {
   }
 };
 
-/// How far the scene's picture by POV-Ray is from the truth by our reference integrators, measured once
-/// (reference/measure_library.py), and what it costs.
+/// The error of the scene's image by POV-Ray against our reference integrators, and its cost, measured once
+/// (reference/measure_library.py).
 struct PovrayResidual {
-  int size = 0;             ///< pixels across; down as the library's reference has, or as many
+  int size = 0;             ///< pixels across; down as the library's reference has, else as many
   int quality = 0;          ///< the preset
   double mean_percent = 0;  ///< signed difference of the means
   double relmse = 0;
   double ssim = 0;
   double seconds = 0;                    ///< of processor time
-  std::optional<PairsResidual> pairs{};  ///< where the mean is off by more than is aimed for
-  std::optional<std::string> cause;      ///< why it is more than is aimed for, where it is
+  std::optional<PairsResidual> pairs{};  ///< where the mean's error exceeds the target
+  std::optional<std::string> cause;      ///< why it exceeds the target, where it does
 
-  /// What is aimed for: a mean within half a percent and an ssim of at least 0.98.
+  /// Whether the residual meets the target: a mean within half a percent and an ssim of at least 0.98.
   bool is_small() const { return mean_percent >= -0.5 && mean_percent <= 0.5 && ssim >= 0.98; }
 };
 
 struct Expect {
-  std::string purpose;                             ///< one sentence
-  double exposure = 0;                             ///< stops for display and for display-encoded metrics
-  std::optional<ExposureRange> hdr_exposures;      ///< hdr_flip_exposures = [start, stop, count]; without, no hdr_flip
-  std::optional<Analytic> analytic;                ///< where a closed form exists
-  std::map<std::string, std::string> unsupported;  ///< engine -> why it cannot render the scene
+  std::string purpose;                             ///< One sentence.
+  double exposure = 0;                             ///< Stops for display and for display-encoded metrics.
+  std::optional<ExposureRange> hdr_exposures;      ///< hdr_flip_exposures = [start, stop, count]; empty: no hdr_flip.
+  std::optional<Analytic> analytic;                ///< Where a closed form exists.
+  std::map<std::string, std::string> unsupported;  ///< Engine -> why it cannot render the scene.
   std::vector<Tolerance> tolerances;
-  std::optional<PovrayResidual> povray;  ///< where POV-Ray can render the scene
-  std::optional<CyclesResidual> cycles;  ///< where Cycles can
+  std::optional<PovrayResidual> povray;  ///< Where POV-Ray can render the scene.
+  std::optional<CyclesResidual> cycles;  ///< Where Cycles can.
 };
 
-/// Throws InputError, with file:line:col where TOML gives a position, when the file is missing, malformed, lacks a
-/// key or has one that is not known.
+/// Throws InputError, with file:line:col where TOML gives a position, when the file is missing or malformed, or lacks a
+/// key or has an unknown one.
 Expect read_expect(const std::string& path);
 
 /// The expect.toml of a scene file: the same folder's.

@@ -1,4 +1,5 @@
-// The part of a film that is rendered, judged and shown: its crop, in files that store it and in files that store more.
+// The part of a film that is rendered, compared and shown: its crop, in files that store it and in files that store
+// more.
 #pragma once
 
 #include <optional>
@@ -16,14 +17,14 @@ struct FilmPart {
   std::string text() const;
 };
 
-/// The crop of a film that is rendered at that size; empty where that is the whole film.
+/// The crop of a film rendered at that size; empty where it is the whole film.
 std::optional<FilmPart> crop_of(FilmDescription film, int width, int height);
-/// The part that a rendering is; empty where it is the whole film.
+/// The part of the film that a rendering is; empty where it is the whole film.
 std::optional<FilmPart> crop_of(const Rendering& rendering);
 FilmPart whole_film(int width, int height);
 
-/// That part alone of a rendering of the film or of another part of it; black where it has no pixels. A rendering of
-/// the part's size that says nothing of a film is the part. Empty where the rendering is of another size.
+/// That part alone, cut from a rendering of the film or of another part of it; black where that has no pixels. A
+/// rendering of the part's size that names no film is the part. Empty where the rendering is of another size.
 std::optional<Rendering> part_of(Rendering rendering, const FilmPart& part);
 /// Whether the rendering is that part already, place and size.
 bool is_part(const Rendering& rendering, const FilmPart& part);

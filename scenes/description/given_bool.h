@@ -1,9 +1,9 @@
-// A yes or no without a default, for facts that every kind of a description must state.
+// A boolean without a default, for facts that every kind of a description must state.
 #pragma once
 
 namespace photonproof::inline scenes_description {
 
-/// A kind that leaves one out of its traits does not compile.
+/// A kind that omits one from its traits does not compile.
 struct GivenBool {
   constexpr GivenBool(bool given) : value(given) {}
   constexpr operator bool() const { return value; }

@@ -1,4 +1,4 @@
-// Integrators as a scene file says them.
+// Integrators as a scene file states them.
 #pragma once
 
 #include <cstdint>
@@ -10,8 +10,8 @@
 
 namespace photonproof::inline scenes_description {
 
-/// What all integrators know. `max_depth` counts path edges as Mitsuba does (1 = emitters only, 2 = direct light); -1
-/// is unlimited.
+/// Parameters of all integrators. `max_depth` counts path edges as Mitsuba does (1 = emitters only, 2 = direct light);
+/// -1 is unlimited.
 struct PathLimits {
   int max_depth = -1;
   int rr_depth = 5;  ///< Russian roulette from this depth on
@@ -19,7 +19,7 @@ struct PathLimits {
   friend bool operator==(const PathLimits&, const PathLimits&) = default;
 };
 
-/// Path tracing with next-event estimation; media are ignored by none: it refuses scenes that have some.
+/// Path tracing with next-event estimation. It never ignores media: it refuses scenes that have some.
 struct PathDescription : PathLimits {
   friend bool operator==(const PathDescription&, const PathDescription&) = default;
 };
@@ -70,8 +70,8 @@ void describe(P& p, ParticleTracerDescription& d) {
   describe_limits(p, d);
 }
 
-/// Direct light only; max_depth and rr_depth are not its parameters. `emitter_samples` and `bsdf_samples` a camera
-/// sample, weighted against each other.
+/// Direct light only, without max_depth and rr_depth. Each camera sample takes `emitter_samples` and `bsdf_samples`,
+/// weighted against each other.
 struct DirectDescription : PathLimits {
   int emitter_samples = 1, bsdf_samples = 1;
   friend bool operator==(const DirectDescription&, const DirectDescription&) = default;
@@ -86,7 +86,7 @@ void describe(P& p, DirectDescription& d) {
   p.boolean("hide_emitters", d.hide_emitters, "the camera does not see lights");
 }
 
-/// Whitted 1980: both branches at smooth dielectrics, mirrors, direct light everywhere else, and no further.
+/// Whitted 1980: both branches at smooth dielectrics, mirrors, direct light everywhere else, and no further light.
 struct WhittedDescription : PathLimits {
   friend bool operator==(const WhittedDescription&, const WhittedDescription&) = default;
 };
@@ -97,13 +97,13 @@ void describe(P& p, WhittedDescription& d) {
   describe_limits(p, d);
 }
 
-/// Where light that diffuse surfaces have thrown on each other is had from.
+/// The method for light between diffuse surfaces.
 enum class IndirectLight {
-  automatic,  ///< by photons or by paths, whichever comes nearer to the image in the same time
-  map,        ///< photons around where the camera path first meets a diffuse surface
-  gather,     ///< photons around where one more bounce from there leads
-  cache,      ///< interpolation between few points, each of which gathers
-  path        ///< path tracing, without photons but those of caustics
+  automatic,  ///< Photons or paths, whichever has the smaller error in the same time.
+  map,        ///< Photons around the first diffuse surface of the camera path.
+  gather,     ///< Photons around the end of one more bounce from there.
+  cache,      ///< Interpolation between few points, each of which gathers.
+  path        ///< Path tracing, without photons except those of caustics.
 };
 
 /// In the order of the enumeration.
@@ -114,15 +114,15 @@ inline constexpr std::initializer_list<scene_xml::Word<IndirectLight>> indirect_
 
 inline const char* word_of(IndirectLight indirect) { return indirect_words.begin()[static_cast<int>(indirect)].text; }
 
-/// Photon mapping with a global and a caustic map. 0 asks for the automatic choice.
+/// Photon mapping with a global and a caustic map. 0 stands for the automatic choice.
 struct PhotonMapperDescription : PathLimits {
-  std::int64_t global_photons = 0;   ///< emitted for the global map, over the whole render; 0: automatic
-  std::int64_t caustic_photons = 0;  ///< emitted for the caustic map, over the whole render; 0: automatic
-  double global_radius = 0;          ///< scene units
-  double caustic_radius = 0;         ///< scene units
+  std::int64_t global_photons = 0;   ///< Emitted for the global map, over the whole render. 0: automatic.
+  std::int64_t caustic_photons = 0;  ///< Emitted for the caustic map, over the whole render. 0: automatic.
+  double global_radius = 0;          ///< Scene units.
+  double caustic_radius = 0;         ///< Scene units.
   IndirectLight indirect = IndirectLight::automatic;
-  double cache_error = 0.15;       ///< least weight's: a record is used up to this part of the distance it sees
-  std::int64_t gather_rays = 256;  ///< of a record
+  double cache_error = 0.15;       ///< at the least weight: a record's reach over the distance it sees
+  std::int64_t gather_rays = 256;  ///< per record
   friend bool operator==(const PhotonMapperDescription&, const PhotonMapperDescription&) = default;
 };
 
@@ -145,7 +145,7 @@ void describe(P& p, PhotonMapperDescription& d) {
 
 /// Stochastic progressive photon mapping (Hachisuka and Jensen 2009; Knaus and Zwicker 2011).
 struct SppmDescription : PathLimits {
-  std::int64_t photons = 250'000;  ///< of a pass, for each map
+  std::int64_t photons = 250'000;  ///< per pass, for each map
   double radius = 0;               ///< of the first pass, scene units; 0: automatic
   double alpha = 2.0 / 3;          ///< r^2 of pass i + 1 is (i + alpha) / (i + 1) of that of pass i
   friend bool operator==(const SppmDescription&, const SppmDescription&) = default;

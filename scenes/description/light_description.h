@@ -1,5 +1,5 @@
-// Emitters as a scene file says them. What `also` names only the parser reads. Each knows whether the file itself sets
-// it to nothing (`is_dark`), and what it is in a scene whose unit of length is 1 / factor (`scale_lengths`).
+// Emitters as a scene file states them. Only the parser reads the parameters that `also` names. `is_dark` is whether
+// the file itself sets the emitter to 0. `scale_lengths` converts it to a scene whose unit of length is 1 / factor.
 #pragma once
 
 #include <memory>
@@ -14,10 +14,10 @@
 
 namespace photonproof::inline scenes_description {
 
-/// Facts of a kind of emitter that decide elsewhere.
+/// Facts of a kind of emitter on which other code decides.
 struct EmitterTraits {
-  GivenBool without_size;    ///< it has one point or one direction: no ray meets it
-  GivenBool surrounds;       ///< its light comes from all around, and is given by direction
+  GivenBool without_size;    ///< one point or one direction: rays never meet it
+  GivenBool surrounds;       ///< its light comes from all around and is given by direction
   GivenBool infinitely_far;  ///< its light comes from beyond the scene
 };
 
@@ -41,8 +41,8 @@ void describe(P& p, PointLightDescription& d) {
   p.emission("intensity", d.intensity, "W sr^-1");
 }
 
-/// Shines along local +z: in full within the beam, falling linearly with the angle to nothing at the cut-off. `texture`
-/// is projected through the cut-off cone's square.
+/// Shines along local +z: in full within the beam, falling linearly with the angle to 0 at the cut-off. `texture` is
+/// projected through the cut-off cone's square.
 struct SpotLightDescription {
   static constexpr EmitterTraits traits{.without_size = true, .surrounds = false, .infinitely_far = false};
   Transform to_world;
@@ -72,7 +72,7 @@ void describe(P& p, SpotLightDescription& d) {
 
 struct DirectionalLightDescription {
   static constexpr EmitterTraits traits{.without_size = true, .surrounds = false, .infinitely_far = true};
-  Vec3d direction{0, 0, 1};  ///< world space, unit: where the light travels
+  Vec3d direction{0, 0, 1};  ///< world space, unit: the light's direction of travel
   RgbD irradiance{1.0};      ///< on a surface that faces it
   bool is_dark() const { return irradiance == RgbD(0.0); }
   void scale_lengths(double) {}
@@ -124,7 +124,7 @@ void describe(P& p, EnvmapDescription& d) {
   p.transform("to_world", d.to_world, "turns it; scales evenly");
 }
 
-/// Where and when the sun is seen, in place of its direction.
+/// Place and time of the observer, which determine the sun's direction.
 template <class P>
 void describe(P& p, PlaceAndTime& d) {
   p.number("latitude", d.latitude_degrees, {-90, 90}, "degrees north");

@@ -1,4 +1,4 @@
-// Media and phase functions as a scene file says them.
+// Media and phase functions as a scene file states them.
 #pragma once
 
 #include <string>
@@ -29,7 +29,7 @@ void describe(P& p, IsotropicDescription&) {
   p.plugin("isotropic", "the same in all directions; when none is named");
 }
 
-/// Extinction sigma_t x scale per scene unit, of which `albedo` scatters.
+/// Extinction sigma_t x scale per scene unit; the share `albedo` of it is scattering.
 struct HomogeneousDescription {
   RgbD sigma_t{1.0};
   RgbD albedo{0.75};

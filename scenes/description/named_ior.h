@@ -1,4 +1,4 @@
-// Indices of refraction by the name of the material.
+// Indices of refraction by material name.
 #pragma once
 
 #include <optional>

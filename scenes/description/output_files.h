@@ -1,4 +1,4 @@
-// What a command is about to write, held against what it reads: asked once, before the work begins.
+// Checks a command's output files against its input files, once, before the work begins.
 #pragma once
 
 #include <filesystem>
@@ -14,10 +14,10 @@ struct InputFile {
   std::string what;  ///< "the scene itself": completes "FILE: error: is ..."
 };
 
-/// The scene with all that it includes, and its meshes, images and light data.
+/// The scene with all its includes, and its meshes, images and light data.
 std::vector<InputFile> scene_inputs(const SceneDescription& scene);
 
-/// Throws InputError when one of the outputs could not be written or is a file that is read, by whatever name or link.
+/// Throws InputError when an output could not be written or is one of the inputs, by any name or link.
 void check_outputs(const std::vector<std::filesystem::path>& outputs, const std::vector<InputFile>& inputs);
 
 /// Whether both names lead to one file, which need not exist.

@@ -1,4 +1,4 @@
-// One function a kind of a std::variant, for std::visit: a kind that none of them takes does not compile.
+// One function per kind of a std::variant, for std::visit. A kind without a function does not compile.
 #pragma once
 
 namespace photonproof::inline scenes_description {

@@ -1,4 +1,4 @@
-// What a parameter of a plugin may be.
+// Types of a plugin's parameters.
 #pragma once
 
 #include <limits>
@@ -24,7 +24,7 @@ enum class ParamType {
 
 constexpr double kUnbounded = std::numeric_limits<double>::infinity();
 
-/// The numbers that make sense, which messages and the page call `words`, or "from <low> to <high>" without.
+/// Allowed numbers. Messages and the page call them `words`, or "from <low> to <high>" without.
 struct Range {
   double low = -kUnbounded, high = kUnbounded;
   const char* words = nullptr;

@@ -1,4 +1,4 @@
-// The names that scene files use, asked of `describe` (description.h).
+// Plugin names as scene files use them, taken from `describe` (description.h).
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@
 
 namespace photonproof::inline scenes_description {
 
-/// What a `describe` calls its plugin. Of integrators' parameters it takes no notice; another plugin's may need a line
+/// Receives the plugin's name from a `describe`. It ignores integrators' parameters; another plugin's may need a line
 /// here.
 struct PluginName {
   const char* name = "";
@@ -26,7 +26,7 @@ struct PluginName {
   void also(const char*, scene_xml::ParamType, const char*, const char*) {}
 };
 
-/// Of every kind of the variant, in its order.
+/// The plugin names of every kind of the variant, in its order.
 template <class... Kinds>
 std::vector<const char*> plugin_names(const std::variant<Kinds...>&) {
   const auto name_of = [](auto description) {

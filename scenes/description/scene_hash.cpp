@@ -38,7 +38,7 @@ class SceneHash {
     vector(profile.horizontal_degrees);
     vector(profile.candela);
   }
-  /// Of any description that refers to one.
+  /// Adds the assets of any description that refers to some.
   template <class Description>
   void assets_of(const Description& d) {
     if constexpr (requires { *d.image; })

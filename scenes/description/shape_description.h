@@ -1,5 +1,5 @@
-// Shapes as a scene file says them. Of every plugin the parser and the writer themselves do what ShapeDescription has
-// beside the geometry.
+// Shapes as a scene file states them. The parser and the writer handle the members of ShapeDescription other than the
+// geometry themselves, for every plugin.
 #pragma once
 
 #include <cstdint>
@@ -53,7 +53,7 @@ void describe(P& p, RectangleDescription&) {
   describe_placed_shape(p);
 }
 
-/// The unit disc in the local xy plane, normal +z; `to_world` leaves it a circle.
+/// The unit disc in the local xy plane, normal +z; `to_world` must keep it a circle.
 struct DiskDescription {
   static constexpr bool finite = true;
   static constexpr int surfaces = 1;
@@ -110,11 +110,11 @@ void describe(P& p, PlaneDescription&) {
   describe_placed_shape(p);
 }
 
-/// A mesh of triangles. After to_world the normal of a triangle is that of its corners counter-clockwise: as in
-/// Mitsuba, a mirroring to_world turns it, other than with the shapes above. Unless `face_normals`, shading
-/// interpolates the mesh's vertex normals (transformed by the inverse transpose, normalised); Mitsuba computes the ones
-/// a file lacks as the mean of the adjoining triangles' normals, weighted by their angles at the vertex (Thuermer and
-/// Wuethrich 1998). What is kept here is the file's.
+/// A mesh of triangles. After to_world a triangle's normal is on the side that sees its corners counter-clockwise. As
+/// in Mitsuba, a mirroring to_world turns it, unlike with the shapes above. Unless `face_normals`, shading interpolates
+/// the mesh's vertex normals (transformed by the inverse transpose, normalised). Mitsuba computes missing ones as the
+/// mean of the adjoining triangles' normals, weighted by their angles at the vertex (Thuermer and Wuethrich 1998). The
+/// values here are the file's.
 struct MeshDescription {
   static constexpr bool finite = true;
   static constexpr int surfaces = 1;
@@ -122,8 +122,8 @@ struct MeshDescription {
   Format format = Format::ply;
   std::string filename;  ///< as the scene spells it
   bool face_normals = false;
-  bool flip_tex_coords = false;              ///< v becomes 1 - v; the default of an OBJ is true, of a PLY false
-  std::shared_ptr<const TriangleMesh> mesh;  ///< never null; shared by the shapes that name the same file
+  bool flip_tex_coords = false;              ///< v becomes 1 - v. OBJ files default to true, PLY files to false.
+  std::shared_ptr<const TriangleMesh> mesh;  ///< Never null; shared by the shapes that name the same file.
   friend bool operator==(const MeshDescription& a, const MeshDescription& b) {
     return a.format == b.format && a.filename == b.filename && a.face_normals == b.face_normals &&
            a.flip_tex_coords == b.flip_tex_coords && (a.mesh == b.mesh || (a.mesh && b.mesh && *a.mesh == *b.mesh));
@@ -178,7 +178,7 @@ void describe(P& p, HeightfieldDescription& d) {
   describe_placed_shape(p);
 }
 
-/// A copy of a group of shapes, placed by to_world. The BSDFs are the group's: the instance's own index means nothing.
+/// A copy of a group of shapes, placed by to_world. The BSDFs are the group's; the instance's own index is unused.
 struct InstanceDescription {
   static constexpr bool finite = true;
   static constexpr int surfaces = 1;
@@ -206,7 +206,7 @@ struct ShapeDescription {
   std::optional<MediumIndex> interior, exterior;  ///< behind the surface and before it
 };
 
-/// Shapes that are there only where instances put them; they do not emit.
+/// Shapes that exist only where instances place them; they do not emit.
 struct ShapeGroupDescription {
   SourceLoc loc;
   std::string id;

@@ -66,7 +66,7 @@ constexpr std::array<double, kSamples> kD65 = {
     61.604,  65.7448, 69.8856, 72.4863, 75.087,  69.3398, 63.5927, 55.0054, 46.4182, 56.6118, 66.8054, 65.0941,
     63.3828, 63.8434, 64.304,  61.8779, 59.4519, 55.7054, 51.959,  54.6998, 57.4406, 58.8765, 60.3125};
 
-/// Mitsuba's, to agree with it in all digits, as cie_y_integral, that of kY: the mean of kD65 seen through kY.
+/// Mean of kD65 weighted by kY. Mitsuba's value, to agree with it in all digits, as is cie_y_integral, that of kY.
 constexpr double kD65Mean = 98.99741751876255;
 
 double at(const std::array<double, kSamples>& table, double wavelength) {

@@ -12,14 +12,14 @@ struct SpectrumSample {
   double value;
 };
 
-/// What a spectrum describes decides how it becomes a colour: a reflectance is seen under CIE illuminant D65, so that
-/// a constant one is grey; an emission is what the CIE 1931 observer sees of it, so that equal values at all
+/// The kind of a spectrum decides its conversion to a colour. A reflectance is lit by CIE illuminant D65, so that a
+/// constant one is grey. An emission is converted directly by the CIE 1931 observer, so that equal values at all
 /// wavelengths are pinkish.
 enum class SpectrumKind { reflectance, emission };
 
-/// The colour of a spectrum that is linear between `samples` (at least two, ascending) and zero outside, from 360 to
-/// 830 nm; a unit of `emission` has the luminance 1 when it is constant. Negative components, colours outside
-/// Rec. 709, become 0.
+/// The colour of a spectrum that is linear between `samples` (at least two, ascending) and zero outside. It covers 360
+/// to 830 nm; an `emission` of constant 1 has the luminance 1. Negative components, of colours outside Rec. 709, become
+/// 0.
 RgbD rgb_of_spectrum(const std::vector<SpectrumSample>& samples, SpectrumKind kind);
 
 /// The integral over wavelength, nm, that a unit of Y stands for in rgb_of_spectrum's colours of emission.

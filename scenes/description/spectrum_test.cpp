@@ -45,7 +45,7 @@ TEST(spectrum, outside_the_visible_range_is_black) {
 }
 
 TEST(conductors, have_the_reduction_of_their_measurements) {
-  // The index of gold that luxpop.com gives, of which the table's row is made.
+  // The index of gold from luxpop.com, the source of the table's row.
   const std::vector<SpectrumSample> eta = {
       {354.240509, 1.74},  {359.374420, 1.727625}, {364.659332, 1.716}, {370.102020, 1.705875},
       {375.709625, 1.696}, {381.489777, 1.68475},  {387.450562, 1.674}, {393.600555, 1.666},
@@ -64,7 +64,7 @@ TEST(conductors, have_the_reduction_of_their_measurements) {
 }
 
 TEST(conductors, of_oxides_of_copper_have_the_reduction_of_their_measurements) {
-  // The measurements that luxpop.com gives, after Palik, at the same wavelengths for both.
+  // The measurements of luxpop.com, after Palik, at the same wavelengths for both.
   const std::vector<double> wavelengths = {350.028015, 399.935028, 449.854980, 499.919006, 549.799988, 599.806030,
                                            649.789978, 700.056030, 750.029968, 799.871033, 849.759949};
   const auto reduced = [&](const std::vector<double>& values) {

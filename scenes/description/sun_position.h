@@ -1,5 +1,5 @@
-// Where the sun stands: Blanco-Muriel, Alarcon-Padilla, Lopez-Moratalla and Lara-Coira 2001, "Computing the solar
-// vector", Solar Energy 70(5); good to half a minute of arc from 1999 to 2015.
+// The sun's position. Source: Blanco-Muriel, Alarcon-Padilla, Lopez-Moratalla and Lara-Coira 2001, "Computing the solar
+// vector", Solar Energy 70(5). The error is below half a minute of arc from 1999 to 2015.
 #pragma once
 
 #include "scenes/base/vec.h"

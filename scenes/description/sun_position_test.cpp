@@ -39,7 +39,7 @@ TEST(sun_position, knows_time_zones) {
 
 struct Place {
   PlaceAndTime when;
-  double zenith, azimuth;  ///< degrees; no refraction; from north over east
+  double zenith, azimuth;  ///< in degrees, without refraction; the azimuth from north over east
 };
 
 void expect_there(const Place& place) {
@@ -51,17 +51,18 @@ void expect_there(const Place& place) {
 }
 
 TEST(sun_position, is_where_published_almanacs_have_it) {
-  // Reda and Andreas, "Solar Position Algorithm for Solar Radiation Applications" (NREL, 2004), table A5.1: 17 October
-  // 2003, 12:30:30, seven hours before Greenwich: altitude without refraction 39.872046 degrees, azimuth 194.340241.
+  // Reda and Andreas, "Solar Position Algorithm for Solar Radiation Applications" (NREL, 2004), table A5.1. On 17
+  // October 2003, 12:30:30, seven hours before Greenwich, the altitude without refraction is 39.872046 degrees, the
+  // azimuth 194.340241.
   expect_there({{39.742476, -105.1786, -7, 2003, 10, 17, 12, 30, 30}, 90 - 39.872046, 194.340241});
-  // Meeus, "Astronomical Algorithms", example 25.b: 13 October 1992, 0:00 dynamical time, a minute before which it was
-  // midnight UT: declination -7.78507 degrees, which is the altitude over the pole, less a parallax of 0.0024.
+  // Meeus, "Astronomical Algorithms", example 25.b: 13 October 1992, 0:00 dynamical time, one minute after midnight UT.
+  // The declination -7.78507 degrees is the altitude over the pole, less a parallax of 0.0024.
   EXPECT_NEAR(elevation({90, 0, 0, 1992, 10, 12, 23, 59, 1}), -7.78507 - 0.0024, 0.005);
 }
 
 TEST(sun_position, is_where_another_method_finds_it) {
-  // harness/oracles/sun_position_oracle.py (Meeus). The two agree to 0.02 degrees, the 25th part of the sun's width;
-  // in the middle of both seasons of its fastest and slowest way, 2 % of the equation of centre are 0.04.
+  // harness/oracles/sun_position_oracle.py (Meeus). The two agree to 0.02 degrees, a 25th of the sun's width.
+  // Midway between the seasons of its fastest and slowest motion, 2 % of the equation of centre are 0.04.
   for (const Place& place : {Place{{35.6894, 139.6917, 9, 2010, 7, 10, 15, 0, 0}, 43.9152, 265.7486},
                              Place{{-33.87, 151.21, 10, 2024, 2, 29, 9, 17, 40}, 46.9457, 66.3334},
                              Place{{64.15, -21.94, 0, 2000, 4, 3, 19, 45, 0}, 86.4501, 275.6517},

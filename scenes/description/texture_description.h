@@ -1,4 +1,4 @@
-// Textures as a scene file says them, and the indices by which parts of a description name each other.
+// Textures as a scene file states them, and the indices by which parts of a description refer to each other.
 #pragma once
 
 #include <compare>
@@ -33,7 +33,7 @@ using Colour = std::variant<RgbD, TextureIndex>;
 /// A number, or the texture whose luminance (Rec. 709) gives one at every point.
 using Scalar = std::variant<double, TextureIndex>;
 
-/// The colour of what is known to be no texture.
+/// The value of a colour that is not a texture.
 inline const RgbD& constant(const Colour& colour) { return std::get<RgbD>(colour); }
 
 enum class TextureFilter { bilinear, nearest };
@@ -46,7 +46,7 @@ struct BitmapDescription {
   bool raw = false;                    ///< 8-bit values are numbers, not sRGB
   TextureFilter filter = TextureFilter::bilinear;
   TextureWrap wrap = TextureWrap::repeat;
-  Transform to_uv;  ///< applied to uv before the lookup; its x and y rows count
+  Transform to_uv;  ///< applied to uv before evaluation; its x and y rows count
   friend bool operator==(const BitmapDescription& a, const BitmapDescription& b) {
     return a.filename == b.filename && a.raw == b.raw && a.filter == b.filter && a.wrap == b.wrap && a.to_uv == b.to_uv;
   }
@@ -65,7 +65,7 @@ void describe(P& p, BitmapDescription& d) {
   p.transform("to_uv", d.to_uv, "applied to uv before the lookup");
 }
 
-/// Two colours in turn on squares of half a unit of uv: color0 where both halves agree.
+/// Two alternating colours on squares of half a unit of uv: color0 where both halves agree.
 struct CheckerboardDescription {
   Colour color0 = RgbD(0.4), color1 = RgbD(0.2);
   Transform to_uv;

@@ -57,8 +57,8 @@ Vec3d Transform::vector(const Vec3d& v) const {
 
 double Transform::determinant() const { return dot(row(*this, 0), cross(row(*this, 1), row(*this, 2))); }
 
-// Rows are scaled to unit length first, so that neither tiny nor huge scenes under- or overflow: with D the diagonal of
-// row lengths and A = D U, A^-1 = U^-1 D^-1, and |det U| in [0,1] (Hadamard) measures how far A is from singular.
+// Rows are scaled to unit length first, so that scenes of any size neither under- nor overflow. With D the diagonal of
+// row lengths and A = D U, A^-1 = U^-1 D^-1. The value |det U| in [0,1] (Hadamard) measures how far A is from singular.
 double Transform::similarity_scale() const { return std::cbrt(std::abs(determinant())); }
 
 std::optional<Transform> Transform::inverse() const {

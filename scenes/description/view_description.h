@@ -1,4 +1,4 @@
-// Sensors, films, filters and samplers as a scene file says them.
+// Sensors, films, filters and samplers as a scene file states them.
 #pragma once
 
 #include <optional>
@@ -60,7 +60,7 @@ void describe(P& p, PerspectiveDescription& d) {
   describe_placed_camera(p, "turns and moves");
 }
 
-/// The perspective camera through a lens of this radius, sharp at this distance along local +z.
+/// The perspective camera through a lens of this radius, focused at this distance along local +z.
 struct ThinLensDescription {
   PerspectiveDescription perspective;
   double aperture_radius = 0;
@@ -92,7 +92,7 @@ void describe(P& p, OrthographicDescription& d) {
   describe_placed_camera(p, "turns, moves and scales");
 }
 
-/// Extension: equidistant fisheye, the angle from local +z in proportion to the distance from the image's middle;
+/// Extension: equidistant fisheye. The angle from local +z is proportional to the distance from the image's middle;
 /// `fov_degrees` is the full angle across the shorter side. Beyond the circle of that angle pixels are black.
 struct FisheyeDescription {
   double fov_degrees = 180;
@@ -109,7 +109,8 @@ void describe(P& p, FisheyeDescription& d) {
   describe_placed_camera(p, "turns and moves");
 }
 
-/// Pixels: box radius 0.5; tent radius 1; Gaussian of this deviation, cut at 4 deviations and shifted to 0 there.
+/// Sizes in pixels. Box: radius 0.5. Tent: radius 1. Gaussian: this deviation, cut at 4 deviations and shifted to 0
+/// there.
 struct ReconstructionFilter {
   enum class Kind { box, tent, gaussian };
   Kind kind = Kind::gaussian;
@@ -136,15 +137,14 @@ struct FilmDescription {
   int width = 768;
   int height = 576;
   ReconstructionFilter filter = {.kind = ReconstructionFilter::Kind::box};
-  /// The part of the image that is rendered: {x, y, width, height}; the whole when empty.
+  /// The rendered part of the image: {x, y, width, height}; empty: the whole image.
   struct Crop {
     int x = 0, y = 0, width = 0, height = 0;
     friend bool operator==(const Crop&, const Crop&) = default;
   };
   std::optional<Crop> crop = {};
-  bool sample_border =
-      false;           ///< the filter sees beyond the film's border, where it reaches; else what is within alone
-  bool alpha = false;  ///< channel A is written
+  bool sample_border = false;  ///< the filter uses samples beyond the film's border; else only those within
+  bool alpha = false;          ///< channel A is written
   Crop window() const { return crop.value_or(Crop{0, 0, width, height}); }
   /// The same part of a film of another size: the borders of the crop are rounded to whole pixels.
   void resize(int new_width, int new_height);
@@ -174,7 +174,7 @@ struct SensorDescription {
   std::optional<MediumIndex> medium;  ///< around the camera
 };
 
-/// All are the renderer's own sampler: the names differ in how samples are spread, not in what they average to.
+/// All are the renderer's own sampler. The names differ in how samples are spread, not in their mean.
 struct SamplerPlugin {
   const char* type = "independent";
   int sample_count = SensorDescription().sample_count;

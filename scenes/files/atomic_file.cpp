@@ -22,8 +22,8 @@ constexpr std::string_view lfs_pointer_start = "version https://git-lfs.github.c
 
 fs::path folder_of(const fs::path& target) { return target.has_parent_path() ? target.parent_path() : fs::path("."); }
 
-/// Of a temporary's name: the process that writes it and the target's extension follow. File systems take names of at
-/// most 255 bytes, so of a longer stem only a part is there, and what it was as a whole by its checksum.
+/// Start of a temporary's name, before the writing process and the target's extension. File systems limit names to 255
+/// bytes, so a longer stem is cut and followed by the checksum of the whole stem.
 std::string temporary_start(const fs::path& target) {
   constexpr std::size_t most = 120;
   std::string stem = target.stem().string();
@@ -35,8 +35,8 @@ std::string temporary_start(const fs::path& target) {
   return "." + stem + std::string(partial_mark);
 }
 
-/// The process whose temporary the file of this name is; 0 where it is none. The temporary is that of one target where
-/// `start` is given, else of any.
+/// The process that writes the temporary of this name; 0 where it is no temporary. With `start`, only temporaries of
+/// that target count, else those of any.
 pid_t writer_of(const std::string& name, const std::string& start) {
   const std::size_t mark = name.rfind(partial_mark);
   if (mark == std::string::npos || name[0] != '.') return 0;
@@ -59,7 +59,8 @@ void remove_abandoned(const fs::path& folder, const std::string& start, const fs
   }
 }
 
-/// What whoever produces the file truncates. The file is new: nothing that lay or was put under its name is written to.
+/// Marks the new file until the producer truncates it. The file is new: existing files of its name are never written
+/// to.
 constexpr char not_produced = '?';
 
 void make_new_file(const fs::path& temporary, const fs::path& target) {

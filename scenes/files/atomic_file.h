@@ -9,26 +9,26 @@
 namespace photonproof::inline scenes_files {
 
 /// Calls `produce(temporary_path)` for a path in the target's folder (same extension) and renames the result to
-/// `target`. The temporary is a new file that `produce` truncates; what a killed process left of the same target is
-/// removed. On any exception the temporary is removed and `target` is as it was. Throws InputError when the folder does
-/// not exist or cannot be written.
+/// `target`. The temporary is a new file that `produce` truncates. Temporaries of the same target that killed processes
+/// left are removed. On any exception the temporary is removed and `target` is unchanged. Throws InputError when the
+/// folder does not exist or cannot be written.
 void replace_atomically(const std::filesystem::path& target,
                         const std::function<void(const std::filesystem::path&)>& produce);
 
-/// Throws InputError when `target` is no file that replace_atomically would replace: its folder is missing, its name
-/// too long, or it is a folder, a device or a pipe.
+/// Throws InputError when replace_atomically would not replace `target`: its folder is missing, its name is too long,
+/// or it is a folder, a device or a pipe.
 void check_replaceable(const std::filesystem::path& target);
 
-/// A new file beside `target`, for what is written piece by piece before replace_atomically renames it.
+/// A new file beside `target`, to be written piece by piece before replace_atomically renames it.
 std::filesystem::path temporary_for_rows(const std::filesystem::path& target);
 
-/// Removes the temporaries of `target` that processes left which were killed while they wrote it.
+/// Removes the temporaries of `target` left by processes that were killed while writing it.
 void remove_abandoned_temporaries(const std::filesystem::path& target);
 
 /// The same of every target in the folder.
 void remove_all_abandoned_temporaries(const std::filesystem::path& folder);
 
-/// Throws InputError when a file that starts so is what Git leaves in place of one that is kept in its Large File
+/// Throws InputError when a file with this start is the pointer that Git leaves in place of a file in its Large File
 /// Storage.
 void refuse_lfs_pointer(const std::filesystem::path& path, std::string_view start);
 

@@ -56,7 +56,7 @@ TEST_F(atomic_file, reads_no_more_than_its_limit) {
 }
 
 TEST_F(atomic_file, temporaries_of_killed_processes_are_removed_and_no_others) {
-  // Process numbers end below 2^22 on Linux, so the first is nobody's; the second is this process's own.
+  // Process numbers end below 2^22 on Linux, so the first is not a process; the second is this process's own.
   std::ofstream(folder_ / ".a.exr.partial-2000000000.checkpoint") << "half";
   std::ofstream(folder_ / (".a.exr.partial-" + std::to_string(getpid()) + ".checkpoint")) << "half";
   std::ofstream(folder_ / ".a.exr.partial-mine.checkpoint") << "a user's";

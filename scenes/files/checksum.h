@@ -7,7 +7,7 @@
 
 namespace photonproof::inline scenes_files {
 
-/// A 64-bit hash of bytes that come in pieces. It finds damage; it does not withstand intent.
+/// A 64-bit hash of bytes that arrive in pieces. It detects damage, not deliberate changes.
 class Checksum {
  public:
   void add(const void* bytes, std::size_t count);

@@ -1,11 +1,11 @@
-// Says of a file that somebody is still at work on it.
+// Marks a file as still in use by a process.
 #pragma once
 
 #include <filesystem>
 
 namespace photonproof::inline scenes_files {
 
-/// The system lets go of a claim when the process ends, however it ends; a file that is renamed keeps it.
+/// The system releases a claim when the process ends, however it ends; a renamed file keeps its claim.
 class FileClaim {
  public:
   FileClaim() = default;
@@ -13,7 +13,7 @@ class FileClaim {
   FileClaim(const FileClaim&) = delete;
   FileClaim& operator=(const FileClaim&) = delete;
 
-  /// Claims this file instead of the one before. Where the file system knows no locks, nothing is claimed.
+  /// Claims this file instead of the previous one. On a file system without locks, nothing is claimed.
   void move_to(const std::filesystem::path& file);
 
   /// Whether a claim, of this process or another, is on the file.

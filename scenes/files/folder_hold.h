@@ -1,5 +1,5 @@
-// Says of a folder that its maker is still there, to whoever would tidy up what is left behind. A process's number does
-// not tell that: in another namespace of processes, as of a container with the same /tmp, it may belong to nobody.
+// Marks a folder as still used by its maker, so that clean-up leaves it alone. A process's number is no proof: in
+// another namespace of processes, as of a container with the same /tmp, it may belong to no process.
 #pragma once
 
 #include <filesystem>
@@ -10,7 +10,7 @@ namespace photonproof::inline scenes_files {
 
 class FolderHold {
  public:
-  /// Empty where another process has it, or the folder is gone. Where the file system knows no locks, everybody has it.
+  /// Empty where another process has it, or the folder is gone. On a file system without locks, every process gets it.
   static std::optional<FolderHold> take(const std::filesystem::path& folder);
   FolderHold(FolderHold&& other) noexcept : descriptor_(std::exchange(other.descriptor_, -1)) {}
   FolderHold& operator=(FolderHold&& other) noexcept {

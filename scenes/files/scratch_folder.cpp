@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Of this user, and of a process that has ended.
+/// Whether the folder belongs to this user and to a process that has ended.
 bool is_abandoned(const fs::path& folder, const std::string& start) {
   const std::string name = folder.filename().string();
   if (!name.starts_with(start)) return false;

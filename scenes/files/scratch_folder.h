@@ -1,4 +1,4 @@
-// A folder for a child process's files, gone when the object is.
+// A folder for a child process's files, removed with the object.
 #pragma once
 
 #include <filesystem>
@@ -11,8 +11,8 @@ namespace photonproof::inline scenes_files {
 
 class ScratchFolder {
  public:
-  /// Private to the user, in the system's folder for temporary files; its name says what it is for. Removes those that
-  /// killed processes of the same user left. Throws InputError when it cannot be made.
+  /// Private to the user, in the system's folder for temporary files, with `purpose` in its name. Removes folders left
+  /// by killed processes of the same user. Throws InputError when it cannot be made.
   explicit ScratchFolder(const std::string& purpose);
   ~ScratchFolder();
   ScratchFolder(const ScratchFolder&) = delete;

@@ -13,7 +13,7 @@ using Temporary = FolderTest;
 TEST_F(Temporary, folders_of_killed_processes_are_removed_and_no_others) {
   setenv("TMPDIR", folder_.c_str(), 1);
   const auto leave = [&](const std::string& name) { fs::create_directories(folder_ / name / "deep"); };
-  // Process numbers end below 2^22 on Linux, so the first is nobody's; the second is this process's own.
+  // Process numbers end below 2^22 on Linux, so the first is not a process; the second is this process's own.
   leave("photonproof-test-2000000000-AbCdEf");
   leave("photonproof-test-" + std::to_string(getpid()) + "-AbCdEf");
   leave("photonproof-other-2000000000-AbCdEf");
@@ -33,7 +33,7 @@ TEST_F(Temporary, folders_of_killed_processes_are_removed_and_no_others) {
   EXPECT_TRUE(has("photonproof-test-mine"));
 }
 
-// As a process of another namespace sees it: the number in the name is nobody's here.
+// As seen by a process of another namespace: no process here has the number in the name.
 TEST_F(Temporary, a_folder_whose_maker_lives_in_another_namespace_of_processes_stays) {
   setenv("TMPDIR", folder_.c_str(), 1);
   const fs::path theirs = folder_ / "photonproof-test-2000000000-AbCdEf";

@@ -1,4 +1,4 @@
-// A folder of its own for each test, gone afterwards, and the text of what a test expects to throw.
+// A separate folder for each test, removed afterwards, and the text of an expected exception.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -29,7 +29,7 @@ class FolderTest : public testing::Test {
   std::filesystem::path folder_;
 };
 
-/// What `action` throws as InputError, excerpt included; "no error" when it does not.
+/// The InputError that `action` throws, excerpt included; "no error" when it does not.
 template <class Action>
 std::string input_error_of(const Action& action) {
   try {

@@ -34,7 +34,7 @@ double slope(std::uint32_t hash, double x, double y, double z) {
   return g[0] * x + g[1] * y + g[2] * z;
 }
 
-/// Of an octave: lattices that coincide would all be 0 in the same places.
+/// Point of an octave, shifted: lattices that coincide would all be 0 in the same places.
 Vec3d shifted(const Vec3d& p, int octave) {
   const double scale = std::ldexp(1.0, octave);
   return p * scale + Vec3d{0.31, 0.57, 0.73} * static_cast<double>(octave);

@@ -17,7 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 using std::numbers::pi;
 
-/// What write_png encodes to the byte of `value`: it takes linear light, and these pictures hold plain numbers.
+/// The value that write_png encodes to the byte of `value`: it takes linear light, and these images hold plain numbers.
 float linear_of_byte(double value) {
   return static_cast<float>(value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4));
 }
@@ -88,7 +88,8 @@ void write_sky(const fs::path& target) {
        {}});
 }
 
-/// 8 x 4 texels without any symmetry: between their middles, 45 degrees apart, nothing but the interpolation is seen.
+/// 8 x 4 texels without any symmetry. Their centres are 45 degrees apart; between them only the interpolation is
+/// visible.
 void write_coarse_sky(const fs::path& target) {
   write_exr(target.string(),
             {picture(8, 4,

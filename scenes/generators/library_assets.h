@@ -1,5 +1,5 @@
-// The textures, meshes and light data of the scene library that are made rather than drawn: `photonproof generate
-// assets` writes them, and a test holds the library's files to it.
+// The generated textures, meshes and light data of the scene library. `photonproof generate assets` writes them, and a
+// test compares the library's files with them.
 #pragma once
 
 #include <filesystem>
@@ -11,7 +11,7 @@ namespace photonproof::inline scenes_generators {
 
 struct LibraryAsset {
   std::string path;  ///< within the library, "light-ies/light.ies"
-  bool image;        ///< its pixels count, not its bytes, which depend on the libraries that write them
+  bool image;        ///< compared by its pixels, since its bytes depend on the libraries that write them
   std::function<void(const std::filesystem::path&)> write;
 };
 

@@ -104,7 +104,7 @@ std::string many_lights_scene(int lights) {
   std::string scene = text(kHead, lights);
   for (int z = -4; z <= 4; ++z)
     for (int x = -4; x <= 4; ++x) {
-      if ((x + z) % 2 != 0) continue;  // the even squares, as `place` knows
+      if ((x + z) % 2 != 0) continue;  // the even squares, as in `place`
       const auto which = static_cast<std::uint32_t>((z + 4) * 9 + x + 4);
       const double height = 0.2 + 0.5 * unit_hash(which, 0, 0, 2);
       scene += which % 4 == 0 ? text(kBall, x, z)

@@ -1,4 +1,4 @@
-// The scene `many-lights`: blocks and balls among as many small lights as asked for, to measure how engines choose.
+// The scene `many-lights`: blocks and balls among a chosen number of small lights, to measure how engines choose.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@ namespace photonproof::inline scenes_generators {
 
 constexpr int kFewestLights = 1, kMostLights = 100'000;
 
-/// scene.xml. The lights together shine the same flux, however many there are. Deterministic to the byte.
+/// scene.xml. The lights' total flux does not depend on their number. Deterministic to the byte.
 /// Precondition: kFewestLights <= lights <= kMostLights.
 std::string many_lights_scene(int lights);
 

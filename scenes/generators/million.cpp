@@ -17,8 +17,8 @@ std::uint64_t rock_triangles(const MillionPlan& plan) {
   return std::uint64_t{plan.rocks} * 20 << (2 * plan.rock_level);
 }
 
-/// The squarest grid within a thousandth of `cells` cells, or else the nearest of those whose cells are at most half as
-/// long again as wide.
+/// The squarest grid within a thousandth of `cells` cells. Otherwise it is the grid nearest to `cells` among those
+/// whose cells are at most half as long again as wide.
 void plan_grid(double cells, MillionPlan& plan) {
   const auto side = static_cast<std::uint32_t>(std::sqrt(cells));
   double least = cells;

@@ -1,4 +1,4 @@
-// The scene `million`: a landscape of as many triangles as asked for, to measure how engines take to size.
+// The scene `million`: a landscape with a chosen number of triangles, to measure how engines scale with size.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@ namespace photonproof::inline scenes_generators {
 
 constexpr std::uint64_t kFewestTriangles = 1'000, kMostTriangles = 10'000'000;
 
-/// How many triangles go where; their sum is within 1 % of what was asked for.
+/// The number of triangles of each part; their sum is within 1 % of the requested number.
 struct MillionPlan {
   std::uint32_t columns = 0, rows = 0;  ///< cells of the ground
   std::uint32_t rocks = 0;

@@ -58,7 +58,7 @@ TEST(million, of_the_library_is_what_the_program_generates) {
   write_million(folder, plan_million(2'000));
   for (const std::string& file : million_files()) {
     std::string stored = read_file(fs::path(PHOTONPROOF_SOURCE_DIR "/scenes/library/million") / file);
-    // How far other engines' pictures are off was measured and stands behind what is generated.
+    // The measured errors of other engines' images follow the generated text.
     if (file == "expect.toml") stored.resize(std::min(stored.find("\n[cycles]"), stored.find("\n[povray]")));
     EXPECT_EQ(read_file(folder / file), stored) << file;
   }

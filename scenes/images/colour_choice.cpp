@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::array<const char*, 4> names_of_the_whole{"combined", "beauty", "rgba", "rgb"};
 
-/// What a channel's name has before its last dot, with the dot.
+/// The part of a channel's name up to and including its last dot.
 std::string prefix_of(const std::string& channel) {
   const std::size_t dot = channel.rfind('.');
   return dot == std::string::npos ? "" : channel.substr(0, dot + 1);
@@ -41,7 +41,7 @@ std::vector<ColourChoice> colour_layers(const std::vector<ImagePart>& parts) {
   return layers;
 }
 
-/// Luminance, where it is not that of an image whose colour lies beside it.
+/// Grey layers: luminance, unless it belongs to an image whose colour lies beside it.
 std::vector<ColourChoice> grey_layers(const std::vector<ImagePart>& parts) {
   std::vector<ColourChoice> layers;
   for (std::size_t p = 0; p < parts.size(); ++p) {

@@ -1,4 +1,4 @@
-// The image that a file means where it stores another part of it: EXR's display window and data window.
+// The full image of a file that stores another part of it: EXR's display window and data window.
 #pragma once
 
 #include <memory>
@@ -8,8 +8,8 @@
 
 namespace photonproof::inline scenes_images {
 
-/// The same image where both windows are one. Else the display window, as OpenImageIO's idiff and image viewers have
-/// it: pixels of it that are not stored are black, what is stored outside of it is left out. Throws InputError when no
+/// The same image where both windows are equal. Else the display window, as in OpenImageIO's idiff and image viewers:
+/// its pixels that are not stored are black, and stored pixels outside it are left out. Throws InputError when no
 /// stored pixel lies in it.
 std::unique_ptr<ImageFile> as_displayed(std::unique_ptr<ImageFile> file, const std::string& path);
 

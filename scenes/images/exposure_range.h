@@ -1,4 +1,4 @@
-// The exposures that HDR-FLIP looks at, pinned for a scene by its expect.toml or for one comparison by its command
+// The exposures that HDR-FLIP evaluates, fixed for a scene by its expect.toml or for one comparison by its command
 // line.
 #pragma once
 

@@ -45,7 +45,7 @@ void set_up_openexr(std::uintmax_t bytes) {
     std::call_once(threads, [] { Imf::setGlobalThreadCount(static_cast<int>(std::thread::hardware_concurrency())); });
 }
 
-/// False for what describes the file rather than the rendering in it.
+/// False for attributes that describe the file rather than the rendering in it.
 bool is_metadata(const std::string& name) {
   return name != "type" && name != "name" && name != "view" && name != "capDate";
 }
@@ -92,7 +92,7 @@ class ExrFile : public ImageFile {
   }
 
  private:
-  /// Channels with a number for every pixel, and why the others are none.
+  /// Channels with a number for every pixel, and the reasons against the others.
   std::vector<ImagePart> readable_parts() const {
     std::vector<ImagePart> parts;
     std::string unreadable;
@@ -147,7 +147,7 @@ class ExrFile : public ImageFile {
         header_.metadata[attribute.name()] = text->value();
   }
 
-  /// Passes InputErrors on; of others the first line, without the path.
+  /// Rethrows InputErrors; for others it throws their first line, without the path.
   [[noreturn]] void refuse(const std::string& words, const std::exception& error) const {
     if (dynamic_cast<const InputError*>(&error)) throw;
     std::string reason = error.what();
@@ -162,7 +162,7 @@ class ExrFile : public ImageFile {
   ImageHeader header_;
 };
 
-/// A file whose every write is checked, closing too: OpenEXR's own does not tell of a disk that is full at the end.
+/// A file whose every write is checked, closing too: OpenEXR's own does not report a disk that is full at the end.
 class CheckedFile : public Imf::OStream {
  public:
   CheckedFile(const std::string& path, const std::string& target)

@@ -145,7 +145,7 @@ TEST_F(ExrFile, of_several_layers_without_a_combined_one_is_refused_with_their_n
   EXPECT_NE(refusal().find("a.Combined, b.Combined"), std::string::npos) << refusal();
 }
 
-// Variances beside a layer are not known to be that layer's.
+// Variances beside a layer may belong to another layer.
 TEST_F(ExrFile, of_a_named_layer_has_no_variance) {
   write_lines({"a.B", "a.G", "a.R", "variance.B", "variance.G", "variance.R"});
   EXPECT_EQ(read_image(path()).pixel(1, 0)[0], 2001);
@@ -316,7 +316,7 @@ TEST_F(ExrFile, part_of_an_image_is_written_with_its_place_and_alpha_beside_its_
   EXPECT_EQ(displayed(stored).mean.rgb, whole.mean.rgb);
   EXPECT_EQ(displayed(stored).variance->rgb, whole.variance->rgb);
 
-  // By the library alone: both windows, and A.
+  // The library alone reads both windows, and A.
   Imf::InputFile file(path().c_str());
   EXPECT_EQ(file.header().dataWindow(), Imath::Box2i({1, 2}, {2, 2}));
   EXPECT_EQ(file.header().displayWindow(), Imath::Box2i({0, 0}, {3, 2}));
@@ -328,8 +328,8 @@ TEST_F(ExrFile, part_of_an_image_is_written_with_its_place_and_alpha_beside_its_
   EXPECT_EQ(alpha, part.alpha);
 }
 
-// A data window of 2x2 pixels at (1, 1) of a display window of 4x3 whose corner is (10, 20); with it, the same pixels
-// as an image of their own and shifted by one.
+// A data window of 2x2 pixels at (1, 1) of a display window of 4x3 whose corner is (10, 20). The same pixels are also
+// compared as an image of their own and shifted by one.
 TEST_F(ExrFile, data_window_is_read_at_its_place_in_the_display_window) {
   const auto write_at = [&](int x, int y, bool tiled) {
     Imf::Header header(Imath::Box2i({10, 20}, {13, 22}), Imath::Box2i({10 + x, 20 + y}, {11 + x, 21 + y}));
@@ -361,7 +361,7 @@ TEST_F(ExrFile, data_window_is_read_at_its_place_in_the_display_window) {
     ImageRows(path()).read(2, 3, row.data());
     EXPECT_EQ(row[3 * 2], 3);
     EXPECT_EQ(read_texture_image(path(), true).width, 2);
-    write_at(3, -1, tiled);  // all but its lower left pixel outside
+    write_at(3, -1, tiled);  // only its lower left pixel inside
     EXPECT_EQ(reds(read_image(path())), (std::vector<float>{0, 0, 0, 2, 0, 0, 0, 0, 0, 0, 0, 0}));
     write_at(4, 0, tiled);
     EXPECT_EQ(refusal(), path() + ": error: no pixel of its data window lies in its display window");

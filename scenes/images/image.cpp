@@ -44,7 +44,7 @@ Channels places_of(const ImageHeader& header, const std::vector<std::string>& co
   return places;
 }
 
-/// What a reader of its numbers has to know of an image that is stored or read in another way than as plain linear RGB.
+/// Remarks on an image that is stored or read in another way than as plain linear RGB, for readers of its numbers.
 std::vector<std::string> remarks_on(const ImageHeader& stored) {
   std::vector<std::string> remarks = stored.remarks;
   if (const std::string& layer = stored.layer; !layer.empty()) {
@@ -71,7 +71,7 @@ void check_size(const std::string& path, const Image& image) {
   if (!whole) throw InputError(path, "cannot be written: the image has no pixels or too few for its size");
 }
 
-/// sRGB decoding of 8- and 16-bit samples, which take few values: each is worked out once.
+/// sRGB decoding of 8- and 16-bit samples, which have few values: each is computed once.
 class SrgbDecoder {
  public:
   explicit SrgbDecoder(const ImageHeader& header)
@@ -111,7 +111,7 @@ std::unique_ptr<ImageFile> open_stored(const std::string& path, const std::strin
   return open_other_format(path);
 }
 
-/// Of a file that stores a part of its image and nothing beside it.
+/// The place of a file that stores only a part of its image.
 std::optional<ImagePlace> place_of(const ImageHeader& h) {
   const bool whole = h.width == h.display_width && h.height == h.display_height;
   const bool within = h.x >= 0 && h.y >= 0 && h.x + h.width <= h.display_width && h.y + h.height <= h.display_height;
@@ -120,7 +120,7 @@ std::optional<ImagePlace> place_of(const ImageHeader& h) {
 
 struct Opened {
   std::unique_ptr<ImageFile> file;
-  std::optional<ImagePlace> place;   ///< of what the file stores
+  std::optional<ImagePlace> place;   ///< of the stored part
   std::vector<std::string> remarks;  ///< on it
 };
 
@@ -132,7 +132,7 @@ Opened open_part(const std::string& path, const std::string& layer, ImageWindow 
   return opened;
 }
 
-/// An open file whose rows are asked for in any order.
+/// An open file whose rows can be read in any order.
 class OpenImage {
  public:
   OpenImage(const std::string& path, Opened opened, const std::string& layer = "")

@@ -1,4 +1,5 @@
-// Images in memory and on disk (image_file.h says by what). Linear Rec.709 RGB, row 0 on top, interleaved floats.
+// Images in memory and on disk (image_file.h names the libraries). Linear Rec.709 RGB, row 0 on top, interleaved
+// floats.
 #pragma once
 
 #include <cstddef>
@@ -25,7 +26,7 @@ struct Image {
   const float* pixel(int x, int y) const { return const_cast<Image*>(this)->pixel(x, y); }
 };
 
-/// Where an image lies in the one that is meant, and how large that is: EXR's data window in its display window.
+/// Place of a stored image in the full one, and the full one's size: EXR's data window in its display window.
 struct ImagePlace {
   int x = 0, y = 0, width = 0, height = 0;
   friend bool operator==(const ImagePlace&, const ImagePlace&) = default;
@@ -35,28 +36,27 @@ struct ImagePlace {
 struct Rendering {
   Image mean;
   std::optional<Image> variance;
-  std::map<std::string, std::string> metadata;  ///< string attributes stored in the EXR header
-  std::vector<float> alpha{};                   ///< A of each pixel (written, never read); empty: none
-  std::optional<ImagePlace> place{};            ///< these pixels' part of the image; empty: all of it
+  std::map<std::string, std::string> metadata;  ///< String attributes stored in the EXR header.
+  std::vector<float> alpha{};                   ///< A of each pixel (written, never read). Empty: none.
+  std::optional<ImagePlace> place{};            ///< These pixels' part of the image. Empty: all of it.
 };
 
-/// The pixels that are read of a file whose data window is a part of its display window: the image that is meant, black
-/// where nothing is stored, or the stored part alone. Pixels stored outside of the display window are never read.
+/// The pixels to read of a file whose data window is a part of its display window. Either the displayed image, black
+/// where nothing is stored, or the stored part alone. Stored pixels outside the display window are never read.
 enum class ImageWindow { displayed, stored };
 
-/// Reads any format OpenImageIO knows as linear RGB: EXR and other float formats as they are, 8- and 16-bit formats
-/// decoded from sRGB. One-channel images become grey; alpha is ignored; of several layers or parts choose_colour takes
-/// one, or that of the name `layer`. Beside plain R, G, B the channels variance.R/G/B fill Rendering::variance. Throws
-/// InputError when the file is missing, not an image, larger than 2^28 pixels, has no colour, or several to choose
-/// from. With ImageWindow::stored its place is known, too.
+/// Reads any format OpenImageIO supports as linear RGB: EXR and other float formats unchanged, 8- and 16-bit formats
+/// decoded from sRGB. One-channel images become grey; alpha is ignored. Of several layers or parts choose_colour takes
+/// one, or the one named `layer`. Beside plain R, G, B the channels variance.R/G/B fill Rendering::variance. Throws
+/// InputError when the file is missing, not an image, larger than 2^28 pixels, or has no colour or several to choose
+/// from. With ImageWindow::stored the result also has its place.
 Rendering read_rendering(const std::string& path, const std::string& layer = "",
                          ImageWindow part = ImageWindow::displayed);
-/// The whole of which a rendering is a part, black around it.
+/// The whole image of a rendering that is a part, black around it.
 Rendering displayed(const Rendering& part);
 inline Image read_image(const std::string& path) { return read_rendering(path).mean; }
 
-/// The same colours a few rows at a time, so that an image need not fit into memory: up to 2^18 columns and 2^32
-/// pixels.
+/// The same colours a few rows at a time, for images that do not fit into memory: up to 2^18 columns and 2^32 pixels.
 class ImageRows {
  public:
   /// Throws InputError as read_rendering does.
@@ -65,13 +65,13 @@ class ImageRows {
   ImageRows(ImageRows&&) noexcept;
   int width() const;
   int height() const;
-  const std::string& layer() const;  ///< which of the file's layers is read; empty where it is plain R, G, B
-  /// What else than plain linear RGB the file has, in words: its layer, decoding, windows. Mostly empty.
+  const std::string& layer() const;  ///< The layer that is read; empty where the file has plain R, G, B.
+  /// Properties of the file other than plain linear RGB, in words: its layer, decoding, windows. Mostly empty.
   const std::vector<std::string>& remarks() const;
-  /// The place of what the file stores; empty where that is the whole image.
+  /// The place of the stored part; empty where that is the whole image.
   std::optional<ImagePlace> place() const;
-  /// Rows [begin, end) to 3 * width * (end - begin) floats. Rows are quickest in ascending order. Throws InputError
-  /// when they cannot be read.
+  /// Reads rows [begin, end) into 3 * width * (end - begin) floats. Rows are quickest in ascending order. Throws
+  /// InputError when they cannot be read.
   void read(int begin, int end, float* rgb);
 
  private:
@@ -83,11 +83,11 @@ class ImageRows {
 /// decoding them. Throws InputError also when a value is negative or not finite.
 Image read_texture_image(const std::string& path, bool raw);
 
-/// Samples of the channels R,G,B of an EXR; those of the variance always are 32-bit floats.
+/// Sample type of the channels R,G,B of an EXR; variances are always 32-bit floats.
 enum class ExrColour { single, half };
 
-/// 32-bit float EXR, channels R,G,B, variance.R,G,B and A; written beside the target and renamed, so that a file under
-/// the final name is always whole. Throws InputError when it cannot be written.
+/// 32-bit float EXR with channels R,G,B, variance.R,G,B and A. It is written beside the target and renamed, so a file
+/// under the final name is always whole. Throws InputError when it cannot be written.
 void write_exr(const std::string& path, const Rendering& rendering, ExrColour colour = ExrColour::single);
 
 /// An 8-bit RGB PNG written a few rows at a time; without finish() there is no file.
@@ -99,7 +99,7 @@ class PngRows {
   PngRows(PngRows&&) noexcept;
   /// The next rows: 3 * width * count sRGB bytes.
   void add(int count, const std::uint8_t* rgb);
-  /// After the last row: gives the file its name.
+  /// Call after the last row: it gives the file its name.
   void finish();
 
  private:

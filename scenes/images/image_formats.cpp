@@ -1,4 +1,4 @@
-// Images of all formats but EXR and PNG, through OpenImageIO: the module that image_file.h tells of.
+// Images of all formats except EXR and PNG, through OpenImageIO: the module that image_file.h describes.
 
 #include <OpenImageIO/imageio.h>
 
@@ -13,7 +13,7 @@ std::string first_line(std::string message) {
   return message.empty() ? "unknown reason" : message;
 }
 
-/// False for what describes the file rather than the rendering in it.
+/// False for attributes that describe the file rather than the rendering in it.
 bool is_of_the_file(const std::string& name) { return !name.starts_with("oiio:") && name != "DateTime"; }
 
 class OpenImageIoFile : public ImageFile {

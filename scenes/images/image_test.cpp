@@ -77,8 +77,8 @@ TEST_F(image, exr_of_the_same_rendering_has_the_same_bytes) {
 
 TEST_F(image, png_stores_srgb_codes_and_reads_them_back_as_linear) {
   Image linear(3, 1);
-  // 0.5 encodes as 1.055 * 0.5^(1/2.4) - 0.055 = 0.7354, code 187.5 -> 188; 188/255 decodes to 0.50289.
-  // 0.001 is on the linear part: 12.92 * 0.001 * 255 = 3.29 -> 3; 3/255/12.92 = 0.00091057.
+  // 0.5 encodes as 1.055 * 0.5^(1/2.4) - 0.055 = 0.7354, code 187.5 -> 188. The code 188/255 decodes to 0.50289.
+  // 0.001 is on the linear part: 12.92 * 0.001 * 255 = 3.29 -> 3. The code 3/255/12.92 = 0.00091057.
   linear.rgb = {0.5f,  0.001f, 1,
                 2,     -1,     std::numeric_limits<float>::quiet_NaN(),
                 0.25f, 0,      std::numeric_limits<float>::infinity()};
@@ -127,7 +127,7 @@ TEST_F(image, cannot_be_written_where_there_is_no_folder) {
 }
 
 TEST_F(image, cannot_be_written_into_a_folder_that_refuses_files) {
-  // Nobody, not even root, may create a file in /proc.
+  // No user, not even root, may create a file in /proc.
   if (!fs::is_directory("/proc/self")) GTEST_SKIP() << "no /proc here";
   const Rendering rendering{ramp(2, 2, 1), std::nullopt, {}};
   EXPECT_EQ(

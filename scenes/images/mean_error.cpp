@@ -42,7 +42,7 @@ double pixels_a_splat(const Rendering& rendering) {
   const auto found = rendering.metadata.find(splat_key);
   if (found == rendering.metadata.end()) return 1;
   const Parsed<double> pixels = parse_number(found->second);
-  constexpr double most = 1e4;  // a filter of a hundred pixels; also what files of others may say
+  constexpr double most = 1e4;  // a filter of a hundred pixels; also the limit for other programs' files
   return pixels.value && *pixels.value >= 1 && *pixels.value <= most ? *pixels.value : 1;
 }
 

@@ -17,13 +17,13 @@
 namespace photonproof::inline scenes_images {
 namespace {
 
-/// A file, libpng's structures for it, and what libpng says of it. It reports errors by a jump, which must not leave
-/// out a destructor: what `attempt` calls has none.
+/// A file, libpng's structures for it, and libpng's messages. libpng reports errors by a jump, which must not skip a
+/// destructor: functions that `attempt` calls have none.
 class PngStream {
  public:
   enum class Use { reading, writing };
 
-  /// file() is null where it cannot be opened; errno says why.
+  /// file() is null where it cannot be opened; errno has the reason.
   PngStream(const std::string& path, Use use)
       : use_(use), file_(std::fopen(path.c_str(), use == Use::reading ? "rb" : "wb")) {
     const auto create = use == Use::reading ? png_create_read_struct : png_create_write_struct;
@@ -173,7 +173,7 @@ class PngWriter : public ByteImageWriter {
       png_set_IHDR(png, info, static_cast<png_uint_32>(width), static_cast<png_uint_32>(height), 8, PNG_COLOR_TYPE_RGB,
                    PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
       png_set_sRGB_gAMA_and_cHRM(png, info, PNG_sRGB_INTENT_RELATIVE);
-      // Of large pictures the best compression would take longer than what they show.
+      // For large images the best compression takes longer than the rendering that they show.
       if (std::int64_t{width} * height > (1 << 20)) png_set_compression_level(png, 1);
       png_write_info(png, info);
     });

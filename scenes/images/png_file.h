@@ -11,8 +11,8 @@ namespace photonproof::inline scenes_images {
 /// Whether the file begins as a PNG does.
 bool is_png(const std::string& path);
 
-/// 8 and 16 bits, palettes and fewer bits as 8; without alpha. Throws InputError; what is damaged shows when the last
-/// row is read at the latest.
+/// 8 and 16 bits, palettes and fewer bits as 8; without alpha. Throws InputError; damage shows at the latest when the
+/// last row is read.
 std::unique_ptr<ImageFile> open_png(const std::string& path);
 
 /// An 8-bit RGB file of sRGB values. `target` is the name that errors give to the file. Throws InputError.

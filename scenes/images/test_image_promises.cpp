@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t most_values = std::size_t{1} << 18;
 
-/// What is read twice is the same, bit for bit.
+/// Rows that are read twice must be the same, bit for bit.
 std::string problem_with_rows(ImageRows& rows) {
   const auto row = 3 * static_cast<std::size_t>(rows.width());
   const int count = std::min(rows.height(), static_cast<int>(std::max<std::size_t>(most_values / row, 1)));

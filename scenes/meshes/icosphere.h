@@ -1,4 +1,4 @@
-// The unit sphere as triangles of almost one size: an icosahedron whose triangles are cut into four, again and again.
+// The unit sphere as triangles of nearly equal size: an icosahedron whose triangles are repeatedly cut into four.
 #pragma once
 
 #include <vector>

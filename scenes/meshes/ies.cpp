@@ -41,7 +41,7 @@ class IesReader {
 
  private:
   static constexpr std::string_view kSpace = " \t\r\n,\x1A";  // some files end with DOS's end-of-file character
-  static constexpr double kLargest = 1e30;                    // a float, whatever it is multiplied with
+  static constexpr double kLargest = 1e30;                    // stays a float after all multiplications
 
   [[noreturn]] void fail(std::size_t offset, const std::string& message) const {
     fail_at_offset(file_, text_, offset, message);

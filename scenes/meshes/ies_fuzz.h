@@ -1,4 +1,4 @@
-// What the IES reader's fuzzer checks of one input; also run over the stored corpus by an ordinary test.
+// Checks one input of the IES reader's fuzzer; an ordinary test also runs it over the stored corpus.
 #pragma once
 
 #include <cstddef>
@@ -8,8 +8,7 @@
 
 namespace photonproof::inline scenes_meshes {
 
-/// Empty when `bytes` are refused with a proper message or read into something that keeps its promises; else what went
-/// wrong.
+/// Empty when `bytes` are refused with a proper message or read into a valid profile; else the problem.
 std::string check_ies(std::string_view bytes);
 
 }  // namespace photonproof::inline scenes_meshes

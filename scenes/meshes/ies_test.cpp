@@ -18,8 +18,8 @@ std::string message(const std::string& text) {
   }
 }
 
-// Lights, lumens, multiplier, vertical and horizontal angles, type, units, width, length, height; ballast and light
-// factors, watts; angles; candela.
+// Lights, lumens, multiplier, vertical and horizontal angles, type, units, width, length, height. Then ballast and
+// light factors, watts. Then angles, candela.
 const std::string kHead = "IESNA:LM-63-2002\n[TEST] none\nTILT=NONE\n";
 const std::string kNumbers = "1 1000 2 3 2 1 2 0 0 0\n0.5 1 60\n0 45 90\n0 180\n";
 

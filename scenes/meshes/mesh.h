@@ -1,4 +1,4 @@
-// Triangle meshes as their files give them: shared vertices in the shape's local space, single precision.
+// Triangle meshes as stored in their files: shared vertices in the shape's local space, single precision.
 #pragma once
 
 #include <array>
@@ -12,17 +12,17 @@ namespace photonproof::inline scenes_meshes {
 struct TriangleMesh {
   using Triangle = std::array<std::uint32_t, 3>;
 
-  /// Finite. Embree reads vertices 16 bytes at a time, past the end of the last one: whoever fills this does so through
-  /// resize_positions, so that the memory behind it is there. A copy of the vector does not keep it.
+  /// Finite. Embree reads vertices 16 bytes at a time, past the end of the last one. Fill this only through
+  /// resize_positions, which reserves that memory. A copy of the vector does not keep it.
   std::vector<Vec3f> positions;
   /// Indices of positions; counter-clockwise seen from the front.
   std::vector<Triangle> triangles;
-  /// Per vertex, finite, as in the file and so perhaps not of unit length; empty when the file has none.
+  /// Per vertex, finite, unchanged from the file and so perhaps not of unit length; empty when the file has none.
   std::vector<Vec3f> normals;
   /// Per vertex, finite; empty when the file has none.
   std::vector<Vec2<float>> uvs;
 
-  static constexpr std::size_t kPaddingVertices = 2;  ///< 24 bytes, of which 16 are promised
+  static constexpr std::size_t kPaddingVertices = 2;  ///< 24 bytes, of which Embree needs 16
 
   void resize_positions(std::size_t count) {
     positions.reserve(count + kPaddingVertices);

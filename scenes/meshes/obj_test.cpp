@@ -45,7 +45,7 @@ TEST(obj, makes_a_vertex_of_every_combination_once) {
   const TriangleMesh mesh = parse(kTriangle +
                                   "vt 0 0\nvt 1 0.5 7\nvn 0 0 1\nvn 0 0 -2\n"
                                   "f 1/1/1 2/2/1 3/1/1\nf 1/1/1 3/1/1 2/2/2\nf 1/2/1 2/2/1 3/1/1\n");
-  // 1/1/1, 2/2/1, 3/1/1; then 2/2/2; then 1/2/1.
+  // 1/1/1, 2/2/1, 3/1/1, then 2/2/2, then 1/2/1.
   ASSERT_EQ(mesh.positions.size(), 5u);
   EXPECT_EQ(mesh.triangles, (Triangles{{0, 1, 2}, {0, 2, 3}, {4, 1, 2}}));
   EXPECT_EQ(mesh.positions[3], mesh.positions[1]);

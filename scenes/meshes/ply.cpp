@@ -58,7 +58,7 @@ class MeshReader {
     in.finish();
   }
 
-  /// What a row takes in the file when all its lists are empty.
+  /// Bytes of a row in the file when all its lists are empty.
   template <class Values>
   static std::size_t least_bytes(const Element& element) {
     std::size_t sum = 0;
@@ -120,7 +120,7 @@ class MeshReader {
     for (const Step& step : steps)
       triangle_bytes += Values::least_bytes(step.count_type.value_or(step.type)) +
                         (step.slot == kCorners ? 3 * Values::least_bytes(step.type) : 0);
-    // Room for triangles, but for no more of them than there are bytes for; polygons make it grow.
+    // Room for triangles, limited by the bytes that remain; polygons make it grow.
     mesh_.triangles.reserve(std::min<std::uint64_t>(count, in.remaining() / triangle_bytes));
     for (in.row.number = 0; in.row.number < count; ++in.row.number)
       for (const Step& step : steps) {

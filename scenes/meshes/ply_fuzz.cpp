@@ -1,5 +1,5 @@
-// Fuzzes the PLY reader: any bytes either give one InputError or a mesh whose indices and numbers are sound and that
-// write_ply gives back exactly. Built with libFuzzer (preset fuzz), and run over ply_corpus/ by ply_fuzz_test.cpp.
+// Fuzzes the PLY reader. Any bytes must give one InputError, or a valid mesh that write_ply writes back exactly. Built
+// with libFuzzer (preset fuzz), and run over ply_corpus/ by ply_fuzz_test.cpp.
 #include "scenes/meshes/ply_fuzz.h"
 
 #include <unistd.h>

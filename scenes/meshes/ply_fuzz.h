@@ -1,4 +1,4 @@
-// What the PLY reader's fuzzer checks of one input; also run over the stored corpus by an ordinary test.
+// Checks one input of the PLY reader's fuzzer; an ordinary test also runs it over the stored corpus.
 #pragma once
 
 #include <cstddef>
@@ -8,8 +8,8 @@
 
 namespace photonproof::inline scenes_meshes {
 
-/// Empty when `bytes` are refused with a proper message, or are a mesh that keeps its promises and survives writing and
-/// reading; else what went wrong.
+/// Empty when `bytes` are refused with a proper message, or are a valid mesh that survives writing and reading; else
+/// the problem.
 std::string check_ply(std::string_view bytes);
 
 }  // namespace photonproof::inline scenes_meshes

@@ -1,4 +1,4 @@
-// The fuzzer's corpus as an ordinary test, so that what it once found stays found in every build.
+// The fuzzer's corpus as an ordinary test, so that every build checks past findings.
 #include "scenes/meshes/ply_fuzz.h"
 
 #include <gtest/gtest.h>

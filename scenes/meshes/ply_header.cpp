@@ -80,7 +80,7 @@ class HeaderReader {
     fail_at_offset(file_, text_, word.offset, message);
   }
 
-  /// Throws unless the line has `count` words; `form` says what it should look like.
+  /// Throws unless the line has `count` words; `form` is the expected form.
   void expect_words(std::size_t count, const std::string& form) const {
     if (words_.size() > count) fail(words_[count], "unexpected " + in_quotes(words_[count].text) + " after " + form);
     if (words_.size() < count) fail_here("the line ends early, expected " + form);

@@ -1,4 +1,4 @@
-// The head of a PLY file (Turk 1994): which elements follow, with which properties, in which encoding.
+// The head of a PLY file (Turk 1994): the elements that follow, their properties, and the encoding.
 #pragma once
 
 #include <cstddef>
@@ -34,10 +34,11 @@ struct Element {
 struct Header {
   Format format = Format::ascii;
   std::vector<Element> elements;
-  std::size_t size = 0;  ///< bytes; what follows is the elements' values
+  std::size_t size = 0;  ///< bytes; the elements' values follow
 };
 
-/// Throws InputError with file:line:col on anything that is no PLY header, a repeated element or property included.
+/// Throws InputError with file:line:col on anything but a valid PLY header; repeated elements or properties are
+/// invalid.
 Header read_header(std::string_view bytes, const std::string& file);
 
 }  // namespace photonproof::ply

@@ -1,4 +1,4 @@
-// Which of a PLY file's properties make up a mesh, and where in it they go.
+// The properties of a PLY file that make up a mesh, and their places in it.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@ namespace photonproof::ply {
 
 constexpr std::uint64_t kMaxElements = std::uint64_t{1} << 28;  ///< vertices or triangles
 
-/// What becomes of a property: a place among the values of a vertex, the corners of a face, or nothing.
+/// Destination of a property: a place among the values of a vertex, the corners of a face, or nowhere.
 enum Slot : int { kNowhere = -1, kX, kY, kZ, kNx, kNy, kNz, kU, kV, kVertexSlots, kCorners };
 
 /// Reads one property of a row.

@@ -1,4 +1,4 @@
-// The values after a PLY header, one after the other: the same interface over text and over bytes of either order.
+// Reads the values after a PLY header in sequence: the same interface over text and over bytes of either order.
 #pragma once
 
 #include <array>
@@ -22,7 +22,7 @@ static_assert(std::endian::native == std::endian::little, "loading and storing P
 struct Row {
   const std::string* element = nullptr;
   std::uint64_t number = 0;  ///< from 0
-  /// "face 7"; the name is the file's, and so cut and made printable.
+  /// "face 7"; the name comes from the file, so it is cut and made printable.
   std::string text() const { return printable(element->substr(0, 60)) + " " + std::to_string(number); }
 };
 
@@ -34,7 +34,7 @@ class BinaryValues {
 
   Row row;
 
-  /// An integer value as such.
+  /// An integer value.
   std::int64_t integer(Type type) {
     const char* p = take(size_of(type));
     switch (type) {
@@ -66,7 +66,7 @@ class BinaryValues {
   [[noreturn]] void fail(const std::string& what) const {
     throw InputError(file_, "at byte " + std::to_string(last_) + ": " + row.text() + " " + what);
   }
-  /// The least that a value of a type takes in the file.
+  /// The fewest bytes of a value of a type in the file.
   static std::size_t least_bytes(Type type) { return size_of(type); }
   std::size_t remaining() const { return bytes_.size() - next_; }
   /// Throws unless the file ends here.
@@ -132,7 +132,7 @@ class TextValues {
     fail_at_offset(file_, text_, last_, row.text() + " " + what);
   }
   static std::size_t least_bytes(Type) { return 2; }  // a digit and white space
-  /// One more than there is: the last value needs no white space after it.
+  /// One more than remain: the last value needs no white space after it.
   std::size_t remaining() const { return text_.size() - next_ + 1; }
   void finish() const {
     const std::size_t more = text_.find_first_not_of(kSpace, next_);

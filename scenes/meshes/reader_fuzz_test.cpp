@@ -1,4 +1,4 @@
-// The corpora of the OBJ and IES fuzzers as ordinary tests, so that what they once found stays found in every build.
+// The corpora of the OBJ and IES fuzzers as ordinary tests, so that every build checks past findings.
 #include <gtest/gtest.h>
 
 #include <filesystem>

@@ -1,4 +1,4 @@
-// What tests ask of a mesh: its topology, the way it faces, and its very bits.
+// Mesh properties for tests: topology, orientation, and exact bits.
 #pragma once
 
 #include <bit>
@@ -11,7 +11,7 @@
 namespace photonproof::inline scenes_meshes {
 
 struct EdgeCounts {
-  std::size_t inner = 0;   ///< between two triangles that agree on what is the front
+  std::size_t inner = 0;   ///< between two triangles that agree on the front
   std::size_t border = 0;  ///< of one triangle
   std::size_t bad = 0;     ///< of triangles that disagree, or of more than two
 };
@@ -35,7 +35,7 @@ inline EdgeCounts count_edges(const std::vector<TriangleMesh::Triangle>& triangl
   return counts;
 }
 
-/// Not of unit length: twice the area long.
+/// Normal of length twice the area.
 inline Vec3d normal_of(const TriangleMesh& mesh, const TriangleMesh::Triangle& t) {
   const Vec3d a(mesh.positions[t[0]]), b(mesh.positions[t[1]]), c(mesh.positions[t[2]]);
   return cross(b - a, c - a);

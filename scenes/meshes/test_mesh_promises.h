@@ -1,4 +1,4 @@
-// What every reader of meshes promises, for the tests and fuzzers of all of them.
+// Guarantees of every reader of meshes, for the tests and fuzzers of all of them.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace photonproof::inline scenes_meshes {
 
-/// Empty when indices and numbers are sound and the mesh is padded; else what is wrong.
+/// Empty when indices and numbers are valid and the mesh is padded; else the problem.
 std::string problem_with(const TriangleMesh& mesh);
 
 /// Empty when the message is valid UTF-8 about `file`.

@@ -1,4 +1,4 @@
-// The numbers of the scene library against where they come from.
+// The numbers of the scene library compared with their sources.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -161,8 +161,8 @@ TEST(library, furnace_emits_inward_and_its_mean_is_the_geometric_series) {
   EXPECT_DOUBLE_EQ(mean.x, constant(*sphere.radiance).x / (1 - albedo));
 }
 
-/// The mean over the image plane of a radiance given on the plane y = 0: midpoint rule on 512 x 512 points, whose error
-/// falls as the square of the step (compared with 256 x 256 points it changes by 2e-6 relative in these scenes).
+/// The mean over the image plane of a radiance given on the plane y = 0, by the midpoint rule on 512 x 512 points. The
+/// error falls as the square of the step; from 256 x 256 points on the mean changes by 2e-6 relative in these scenes.
 double image_mean(const SceneDescription& scene, const std::function<double(double, double)>& radiance_at_xz) {
   constexpr int kSteps = 512;
   EXPECT_EQ(camera_of(scene).fov_axis, FovAxis::x);

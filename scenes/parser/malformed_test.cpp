@@ -1,6 +1,6 @@
 // Every file of scenes/malformed is refused with exactly the message that malformed/messages.txt shows for it. The
 // messages were checked by eye: right place, what is wrong, what was expected. There {shapes} and {bsdfs} stand for the
-// plugins of that kind that scenes/FORMAT.md has.
+// plugins of that kind that docs/formats/scene.md has.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 
 const std::string kFolder = std::string(PHOTONPROOF_SOURCE_DIR) + "/scenes/malformed/";
 
-/// What the program says about a file, without the folder's name; empty when it is accepted.
+/// The program's message about a file, without the folder's name; empty when it is accepted.
 std::string message_for(const std::string& file) {
   try {
     parse_scene_file(kFolder + file);
@@ -33,7 +33,7 @@ std::string message_for(const std::string& file) {
 
 /// The plugins in the page's table of that tag, as a sentence lists them.
 std::string listed_in_format(const std::string& tag) {
-  const std::string page = read_file(PHOTONPROOF_SOURCE_DIR "/scenes/FORMAT.md"), heading = "### " + tag + "\n";
+  const std::string page = read_file(PHOTONPROOF_SOURCE_DIR "/docs/formats/scene.md"), heading = "### " + tag + "\n";
   const std::size_t begin = page.find(heading) + heading.size();
   std::vector<std::string> names;
   for (std::size_t at = begin, end = page.find("\n#", begin); (at = page.find("\n| `", at)) < end;) {

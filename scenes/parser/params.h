@@ -1,6 +1,5 @@
-// The parameters and nested objects of one plugin, checked against what the plugin knows and read with their types.
-// Every parameter must be read: what a plugin leaves unread has no effect, and is an error rather than a silent
-// surprise.
+// The parameters and nested objects of one plugin, checked against the plugin's own list and read with their types.
+// Every parameter must be read: an unread one would have no effect, so it is an error instead of a silent surprise.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// Scene-level rules: who may stand where, how often, and which id means what. Values are read in plugins_*.cpp.
+// Scene-level rules: the place and number of objects, and the meaning of ids. Values are read in plugins_*.cpp.
 #include "scenes/parser/parser.h"
 
 #include <algorithm>
@@ -19,8 +19,8 @@ bool is_group(const Element& element) {
   return element.tag == "shape" && type && type->value == "shapegroup";
 }
 
-/// The tables are filled in an order of their own, so that the writer's text, which is in that order, reads back the
-/// same: named textures, media and BSDFs, then shape groups, shapes, emitters and the sensor with what they nest.
+/// The tables are filled in the writer's order, so that its text reads back the same. First come named textures, media
+/// and BSDFs, then shape groups, shapes, emitters and the sensor with their nested objects.
 class SceneReader {
  public:
   SceneReader(const Sources& sources, const SceneFolders& folders, const Element& root)
@@ -91,7 +91,7 @@ class SceneReader {
     return std::visit([](const auto& light) { return !light.is_dark(); }, emitter.light);
   }
 
-  /// A scene without light would render black without a word.
+  /// Refuses a scene without light, which would render black without a message.
   void check_lit() {
     for (const ShapeDescription& shape : scene_.shapes)
       if (shape.radiance && is_bright(*shape.radiance)) return;

@@ -1,4 +1,4 @@
-// Fuzzes the scene parser: any bytes either give one InputError or a scene that write_scene gives back exactly. Built
+// Fuzzes the scene parser. Any bytes must give one InputError, or a scene that write_scene writes back exactly. Built
 // with libFuzzer (preset fuzz), and run over parser_corpus/ by parser_fuzz_test.cpp. The first line may hold -D values:
 // a text that starts with "-D name=value" has it cut off and defined.
 #include "scenes/parser/parser_fuzz.h"

@@ -1,4 +1,4 @@
-// What the parser's fuzzer checks of one input; also run over the stored corpus by an ordinary test.
+// Checks one input of the parser's fuzzer; an ordinary test also runs it over the stored corpus.
 #pragma once
 
 #include <cstddef>
@@ -8,8 +8,8 @@
 
 namespace photonproof::inline scenes_parser {
 
-/// Empty when `text` is refused with a proper message, or is a scene that survives writing and reading; else what went
-/// wrong.
+/// Empty when `text` is refused with a proper message, or is a scene that survives writing and reading; else the
+/// problem.
 std::string check_parser(std::string_view text);
 
 }  // namespace photonproof::inline scenes_parser

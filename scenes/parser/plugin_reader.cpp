@@ -6,7 +6,7 @@
 namespace photonproof::scene_xml {
 namespace {
 
-/// To multiples of 2^-30, so that the way to world space and back, which writing and reading goes, changes nothing.
+/// Rounds to multiples of 2^-30, so that writing and reading, by world space and back, change nothing.
 Vec3d rounded(const Vec3d& v) {
   constexpr double kUnit = 1 << 30;
   return {std::round(v.x * kUnit) / kUnit, std::round(v.y * kUnit) / kUnit, std::round(v.z * kUnit) / kUnit};

@@ -1,5 +1,5 @@
-// What `describe` functions read (scenes/description/description.h): each member keeps its default where the file says
-// nothing.
+// The visitor by which `describe` functions read (scenes/description/description.h). A member that the file does not
+// set keeps its default.
 #pragma once
 
 #include <algorithm>
@@ -58,7 +58,7 @@ class PluginReader {
     }
     params_.fail(name, "is " + in_quotes(given) + ", expected " + join_or(known));
   }
-  /// Its name as it is written: who loads it gives the one to keep.
+  /// The file's name as written; the code that loads the file replaces it by the final one.
   void file(const char* name, std::string& v, const char* what) {
     require(name, what);
     v = params_.string(name, "");
@@ -104,7 +104,7 @@ class PluginReader {
   void require(const char* name, const char* what) {
     params_.expect(params_.has(name), name, std::string("is missing, expected ") + what);
   }
-  // What other functions read.
+  // Read by other functions.
   template <class... Rest>
   void also(const char*, ParamType, const Rest&...) {}
   void nested(const char*, std::size_t, const char*) {}

@@ -18,7 +18,7 @@ std::string text_of(const Vec3d& v) {
   return "(" + format_number(v.x) + ", " + format_number(v.y) + ", " + format_number(v.z) + ")";
 }
 
-/// Of several names of one index the last.
+/// The name of an index, the last one where several fit.
 std::string ior_text(double ior) {
   std::string text = format_number(ior);
   for (const std::string& name : ior_names())

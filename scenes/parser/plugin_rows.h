@@ -1,5 +1,5 @@
-// What `describe` functions list (scenes/description/description.h): names, types, defaults, values and meanings of a
-// plugin's parameters, for the parser's checks and for the page of the format.
+// The visitor by which `describe` functions list a plugin's parameters (scenes/description/description.h): names,
+// types, defaults, values and meanings. Used for the parser's checks and for the page of the format.
 #pragma once
 
 #include <initializer_list>
@@ -86,9 +86,9 @@ class PluginRows {
   void nested_texture(TextureIndex, const char* what) { nested("texture", 1, what); }
   void nested(const char* tag, std::size_t most, const char* what);
 
-  /// Of the parameter that comes next.
+  /// Marks the parameter that comes next.
   void require(const char*, const char*) { required_ = true; }
-  /// A parameter that has no member and a function of its own to read it.
+  /// A parameter without a member, read by a function of its own.
   void also(const char* name, ParamType as, const std::string& fallback, const char* what) {
     add(name, as, fallback, "", what);
   }

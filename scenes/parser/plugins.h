@@ -1,4 +1,4 @@
-// One function a kind of scene object; each file behind it holds a table with one row a plugin.
+// One function per kind of scene object; the file of each holds a table with one row per plugin.
 #pragma once
 
 #include <algorithm>
@@ -14,7 +14,8 @@
 
 namespace photonproof::scene_xml {
 
-/// A row: the plugin's name, what parameters it takes, what objects may be nested in it, and how its value is built.
+/// A row: the plugin's name, its parameters, the objects that may be nested in it, and the function that builds its
+/// value.
 template <class Result>
 struct Plugin {
   std::string type;
@@ -23,7 +24,7 @@ struct Plugin {
   std::function<Result(Params&)> build;
 };
 
-/// "<tag> '<type>'", what messages call an object.
+/// "<tag> '<type>'", the name of an object in messages.
 std::string title_of(const Sources& sources, const Element& object);
 
 /// The row for `object`'s type; checks its attributes. Throws on an unknown type, naming the nearest.
@@ -62,7 +63,7 @@ void sort_by_name(std::vector<Plugin<Result>>& table) {
 
 /// Throws where both are given.
 void expect_alone(const Params& params, const std::string& name, const std::string& other);
-/// A direction of length 1; one that is so already stays as it is, that writing and reading does not wear it down.
+/// A direction of length 1. One of that length already is unchanged, so that writing and reading do not wear it down.
 Vec3d unit_vector(Params& params, const std::string& name, const Vec3d& fallback);
 
 /// "bk7" or a number, above 0.
@@ -71,11 +72,11 @@ double read_ior(Params& params, const std::string& name, double fallback);
 /// eta and k, those of a named material, or nothing for the perfect mirror "none".
 std::optional<ComplexIor> read_conductor_ior(Params& params);
 
-/// The images of the local x, y and z axes are perpendicular, to what six printed digits of a matrix leave.
+/// Whether the images of the local x, y and z axes are perpendicular, within six printed digits of a matrix.
 bool is_perpendicular(const Vec3d& a, const Vec3d& b);
-/// They are so and of one length, not 0: the transform turns, moves, scales and may mirror.
+/// Whether they are perpendicular and of one length, not 0: the transform turns, moves, scales and may mirror.
 bool is_even(const Transform& t);
-/// Throws unless `to_world` is so without mirroring; `what` is "a sphere".
+/// Throws unless `to_world` is even and does not mirror; `what` is "a sphere".
 void expect_similarity(Params& params, const std::string& what);
 
 TextureDescription read_texture(SceneObjects& objects, const Element& element);

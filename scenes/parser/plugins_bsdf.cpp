@@ -1,4 +1,4 @@
-// Mitsuba 3's BSDFs, and the extensions phong and layered: what a description alone does not say of them.
+// Mitsuba 3's BSDFs, and the extensions phong and layered: rules that a description alone does not state.
 #include "scenes/description/conductor_ior.h"
 #include "scenes/description/description.h"
 #include "scenes/description/named_ior.h"
@@ -9,7 +9,7 @@ namespace photonproof::scene_xml {
 double read_ior(Params& params, const std::string& name, double fallback) {
   if (params.tag(name) != "string") {
     const double ior = params.positive(name, fallback);
-    // Beyond any matter, and single precision then holds no Fresnel term.
+    // Beyond any matter; single precision then holds no Fresnel term.
     params.expect(ior >= 1e-3 && ior <= 1e3, name, "is " + format_number(ior) + ", expected from 0.001 to 1000");
     return ior;
   }

@@ -1,4 +1,4 @@
-// Mitsuba 3's emitters and the extension ies: what a description alone does not say of them.
+// Mitsuba 3's emitters and the extension ies: rules that a description alone does not state.
 #include "scenes/description/description.h"
 #include "scenes/parser/plugin_reader.h"
 
@@ -10,7 +10,7 @@ using Light = decltype(EmitterDescription::light);
 struct CompleteEmitter {
   Params& params;
 
-  /// What names no file is complete; what has a place may be moved, turned and scaled evenly.
+  /// A light without a file is complete; one with a place may be moved, turned and scaled evenly.
   template <class Light>
   requires(!requires(Light & d) { d.filename; }) void operator()(Light&) const {
     if constexpr (requires(Light & d) { d.to_world; }) expect_similarity(params, "the light");

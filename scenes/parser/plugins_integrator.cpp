@@ -11,7 +11,7 @@ using Method = decltype(IntegratorDescription::method);
 struct CompleteIntegrator {
   Params& params;
 
-  /// All but direct.
+  /// All integrators except direct.
   void operator()(PathLimits& d) const {
     params.expect(d.max_depth != 0, "max_depth",
                   "is 0, which renders black, expected -1 (unlimited) or at least 1 (emitters only)");

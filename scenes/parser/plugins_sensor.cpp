@@ -10,7 +10,7 @@ namespace {
 
 using Camera = decltype(SensorDescription::camera);
 
-/// Turns and moves only: a scaled camera would change what near_clip means.
+/// Allows only turns and moves: a scaled camera would change the meaning of near_clip.
 void check_rigid(const Params& params, const Transform& t) {
   constexpr double kTolerance = 1e-3;  // Mitsuba's, on squared lengths
   const Vec3d axes[3] = {t.vector({1, 0, 0}), t.vector({0, 1, 0}), t.vector({0, 0, 1})};

@@ -1,4 +1,4 @@
-// Mitsuba 3's shapes and the extensions plane and heightfield: what a description alone does not say of them.
+// Mitsuba 3's shapes and the extensions plane and heightfield: rules that a description alone does not state.
 #include <cmath>
 
 #include "scenes/description/description.h"
@@ -45,7 +45,7 @@ struct CompleteShape {
   void operator()(InstanceDescription&) const {}
 };
 
-/// Mitsuba turns the v of an OBJ over, and not that of a PLY, which is the kind's own row.
+/// Mitsuba turns the v of an OBJ over, but not that of a PLY, which has the kind's own row.
 std::vector<Plugin<Geometry>> shape_plugins() {
   std::vector<Plugin<Geometry>> rows = described_plugins<Geometry, CompleteShape>();
   MeshDescription obj;

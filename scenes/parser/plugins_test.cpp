@@ -143,16 +143,16 @@ TEST(plugins, turn_directions_into_unit_vectors_of_the_right_space) {
   const auto turned = light<DirectionalLightDescription>(
       "directional", "<transform name='to_world'><rotate y='1' angle='90'/><scale value='5'/></transform>");
   EXPECT_NEAR(turned.direction.x, 1, 1e-12);
-  // The sun's direction is given in the world, kept in the sky's space: rotating x to z takes world +y to local... the
-  // rotation about x by 90 degrees takes local +z to world -y.
+  // The sun's direction is given in world space and stored in the sky's space. The rotation about x by 90 degrees takes
+  // local +z to world -y.
   const auto sky = light<SunSkyDescription>("sunsky",
                                             "<vector name='sun_direction' x='0' y='-2' z='0'/><transform "
                                             "name='to_world'><rotate x='1' angle='90'/></transform>");
   EXPECT_NEAR(sky.sun_direction.z, 1, 1e-8);
 }
 
-// Mitsuba 3.9.1, scalar_rgb, traverse(load_string(...)): [12.0479, 9.48291, 9.08916] for the <spectrum> of 10 in each,
-// [10, 10, 10] for <float> and <rgb>, 0.4 for the `albedo` of a sunsky.
+// Values of Mitsuba 3.9.1, scalar_rgb, traverse(load_string(...)). The <spectrum> of 10 gives [12.0479, 9.48291,
+// 9.08916] in each, <float> and <rgb> give [10, 10, 10], the `albedo` of a sunsky 0.4.
 TEST(plugins, read_the_number_of_a_lights_spectrum_as_white_of_equal_energy) {
   const auto ten = [](const std::string& tag, const std::string& name) {
     return "<" + tag + " name='" + name + "' value='10'/>";
@@ -382,7 +382,7 @@ TEST_F(files, of_spectra_hold_a_pair_a_line) {
     return "<bsdf type='diffuse' id='b'><spectrum name='reflectance' filename='" + file + "'/></bsdf>";
   };
   const RgbD found = constant(std::get<DiffuseDescription>(load(spectrum("a.spd")).bsdfs[0].model).reflectance);
-  // As written inline: grey but for the ends of the spectrum that are missing.
+  // As written inline: grey except for the missing ends of the spectrum.
   EXPECT_NEAR(found.y, 0.78, 1e-3);
   EXPECT_EQ(message(spectrum("bad.spd")),
             "error: the spectrum's file has the line '400 0.78 1', expected a wavelength and a value");

@@ -35,7 +35,7 @@ SceneFolders::File SceneFolders::find_in(const std::vector<fs::path>& folders, c
     const fs::path spelled = folder / name.value;
     const fs::path shown = scene_folder() / spelled;
     std::error_code error;
-    // Absolute first: of a relative path none of whose parts exist, weakly_canonical makes no absolute one.
+    // Absolute first: weakly_canonical leaves a relative path relative when none of its parts exist.
     const fs::path real = fs::weakly_canonical(fs::absolute(shown), error);
     if (error) fail_at(sources_, name, "cannot read " + in_quotes(name.value) + ": " + error.message());
     if (!options_.allow_outside && !is_inside(real))

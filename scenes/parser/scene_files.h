@@ -1,4 +1,4 @@
-// The files a scene names. A scene is untrusted: without leave its files lie in its own folder or below.
+// The files that a scene names. A scene is untrusted: without permission its files lie in its own folder or below.
 #pragma once
 
 #include <filesystem>
@@ -11,8 +11,8 @@
 
 namespace photonproof::scene_xml {
 
-/// Where the files that a scene names are looked for. Mitsuba's order: the folders that <path> gave, the last one
-/// first, then the folder of the scene itself, also for what an included file says.
+/// The search path for files that a scene names, in Mitsuba's order. The folders given by <path> come first, the last
+/// given before the others. The folder of the scene itself follows, also for names in an included file.
 class SceneFolders {
  public:
   SceneFolders(const Sources& sources, const ParseOptions& options) : sources_(sources), options_(options) {}
@@ -25,9 +25,9 @@ class SceneFolders {
   /// The first file of that name. Throws InputError at `filename` when there is none, or only one that leaves the
   /// folder of the scene without options.allow_outside.
   File find(const Attribute& filename) const;
-  /// The same for <include>, which may also stand beside the file that says it: an extension.
+  /// The same for <include>, which may also stand beside the file that contains it: an extension.
   File find_included(const Attribute& filename) const;
-  /// Adds a folder, relative to the file that says it; failing that, found as files are.
+  /// Adds a folder, relative to the file that names it; failing that, found as files are.
   void add(const Attribute& path);
 
  private:
@@ -42,8 +42,8 @@ class SceneFolders {
   std::vector<std::filesystem::path> folders_;  // of <path>, the last one first
 };
 
-/// Loads what shapes, textures and lights name, each file once however many share it. All throw InputError at
-/// `filename`, with the place in the file where that is to blame.
+/// Loads the files that shapes, textures and lights name, each once however many share it. All functions throw
+/// InputError at `filename`, with the place in the file where that is to blame.
 class SceneFiles {
  public:
   SceneFiles(const Sources& sources, const SceneFolders& folders) : sources_(sources), folders_(folders) {}
@@ -62,7 +62,7 @@ class SceneFiles {
 
  private:
   std::string read(const SceneFolders::File& file, const Attribute& filename, std::size_t most) const;
-  /// What parse(bytes, name of the file) makes of it.
+  /// The result of parse(bytes, name of the file).
   template <class Parse>
   auto parsed(const SceneFolders::File& file, const Attribute& filename, std::size_t most, const Parse& parse) const;
 

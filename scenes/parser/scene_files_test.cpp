@@ -1,4 +1,4 @@
-// Meshes that a scene names: where they are looked for, what is refused, and that a shared file is read once.
+// Meshes that a scene names: the search path, refusals, and that a shared file is read once.
 #include "scenes/parser/scene_files.h"
 
 #include <gtest/gtest.h>

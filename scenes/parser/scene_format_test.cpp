@@ -1,4 +1,4 @@
-// scenes/FORMAT.md has what readers and writers go by: its tables are made from the same functions.
+// The tables of docs/formats/scene.md are made from the functions that readers and writers use.
 #include <gtest/gtest.h>
 
 #include <set>
@@ -35,7 +35,7 @@ std::string line(const std::vector<std::string>& cells) {
   return text + "\n";
 }
 
-/// What an earlier plugin has just so is named alone.
+/// The table of one kind. A parameter that an earlier plugin already has in the same form is only named.
 std::string table(const std::string& tag, const std::vector<PluginRows>& plugins) {
   std::string text = "### " + tag + "\n\n" + line({"plugin", "parameter", "default", "values", "meaning"}) +
                      line({"---", "---", "---", "---", "---"});
@@ -82,7 +82,7 @@ std::string all_tables() {
 }
 
 TEST(scene_format, page_has_the_tables_that_readers_and_writers_go_by) {
-  const std::string page = read_file(PHOTONPROOF_SOURCE_DIR "/scenes/FORMAT.md"), expected = all_tables();
+  const std::string page = read_file(PHOTONPROOF_SOURCE_DIR "/docs/formats/scene.md"), expected = all_tables();
   const std::size_t from = page.find("### integrator\n"), to = page.find("\n## ", from);
   ASSERT_NE(to, std::string::npos);
   EXPECT_EQ(page.substr(from, to + 1 - from), expected) << "put this in the page:\n" << expected;

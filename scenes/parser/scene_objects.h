@@ -1,4 +1,4 @@
-// The objects of a scene that others nest or refer to by id, turned into entries of the description's tables when they
+// The objects of a scene that others nest or refer to by id. They become entries of the description's tables when they
 // are first needed.
 #pragma once
 
@@ -15,18 +15,18 @@ namespace photonproof::scene_xml {
 
 class SceneObjects {
  public:
-  /// Knows the ids of everything below `root`. Throws InputError on an id that is empty or used twice.
+  /// Collects the ids of everything below `root`. Throws InputError on an id that is empty or used twice.
   SceneObjects(const Sources& sources, const Element& root, SceneFiles& files, SceneDescription& scene);
 
-  /// Reads everything that has an id, in the order of the file, but nested objects before what nests them: named
-  /// objects come first in each table, so a <ref> may precede what it names. Throws on what nests itself.
+  /// Reads everything that has an id, in the order of the file, except that nested objects come before their parents.
+  /// Named objects come first in each table, so a <ref> may precede its target. Throws on an object that nests itself.
   void read_named();
 
-  /// What a <ref> names; any other element is itself. Throws when nothing has that id.
+  /// The target of a <ref>; any other element is itself. Throws when nothing has that id.
   const Element& target(const Element& element) const;
 
-  /// The table's entry for an element or a <ref> to one, made when it is the first use. Every use of an element without
-  /// an id makes its own.
+  /// The table's entry for an element or a <ref> to one, made at its first use. Every use of an element without an id
+  /// makes its own.
   TextureIndex texture(const Element& element);
   BsdfIndex bsdf(const Element& element);
   MediumIndex medium(const Element& element);
@@ -36,9 +36,9 @@ class SceneObjects {
   double largest_value(TextureIndex texture) const { return textures_known_[texture.value].largest; }
   double largest_value(const Image& image);
 
-  /// Whether a BSDF or one that it nests lets light through.
+  /// Whether a BSDF or one nested in it transmits light.
   bool transmits(BsdfIndex bsdf) const { return bsdfs_known_[bsdf.value].transmits; }
-  /// The BSDF of a shape that names none, as in Mitsuba: diffuse, and black where the shape emits.
+  /// The BSDF of a shape without one, as in Mitsuba: diffuse, and black where the shape emits.
   BsdfIndex default_bsdf(const Element& shape, bool emits);
 
   const Sources& sources() const { return sources_; }
@@ -49,7 +49,7 @@ class SceneObjects {
   template <class Table>
   using Known = std::map<const Element*, std::optional<Index<Table>>>;  // empty while it is being read
 
-  // Gathered when an entry is made, so that no chain of references makes the answers slow.
+  // Collected when an entry is made, so that no chain of references makes queries slow.
   struct TextureFacts {
     double largest;
     int depth;  // of nesting
@@ -66,7 +66,7 @@ class SceneObjects {
   void register_alias(const Element& element);
   template <class Action>
   void for_each_named(const Element& element, const std::string& tag, Action action);
-  /// Reads the named objects of one kind that `element` nests or refers to, however deep.
+  /// Reads the named objects of one kind that `element` nests or refers to, at any depth.
   template <class Read>
   void read_named_inside(const Element& element, const std::string& tag, Read read);
   template <class Tag, class Build>

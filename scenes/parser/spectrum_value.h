@@ -9,8 +9,8 @@ namespace photonproof::scene_xml {
 class SceneObjects;
 
 /// The element's linear RGB. A single number is the same at all wavelengths: grey as a reflectance, the white of equal
-/// energy as an emission. Pairs that make a reflectance of more than `most` in a channel, outside the gamut, give
-/// `most` there, as in Mitsuba; so a single number out of range is still seen by the caller.
+/// energy as an emission. A reflectance of pairs that exceeds `most` in a channel, outside the gamut, becomes `most`
+/// there, as in Mitsuba. So the caller still sees a single number out of range.
 RgbD spectrum_of(SceneObjects& objects, const Element& element, SpectrumKind kind, double most);
 
 }  // namespace photonproof::scene_xml

@@ -1,5 +1,5 @@
-// Whether two descriptions say the same, for the tests of the writer and of the parser. Source positions and file names
-// are no part of what a scene says.
+// Whether two descriptions are the same, for the tests of the writer and of the parser. Source positions and file names
+// are not part of a scene's content.
 #pragma once
 
 #include <string>

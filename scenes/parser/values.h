@@ -1,4 +1,4 @@
-// Values as single elements spell them: numbers, colours, points, transforms.
+// Values as spelt in single elements: numbers, colours, points, transforms.
 #pragma once
 
 #include <initializer_list>
@@ -13,7 +13,7 @@
 
 namespace photonproof::scene_xml {
 
-/// The number that `text`, a part of the attribute, is; throws there, calling it `what`.
+/// The number in `text`, a part of the attribute; errors are thrown there and call it `what`.
 double number_in(const Sources& sources, const Attribute& attribute, std::string_view text, const std::string& what);
 /// The number in an attribute; throws there.
 double number_of(const Sources& sources, const Attribute& attribute);

@@ -1,24 +1,25 @@
-// Records that are written as JSON. One function beside a type says its members:
-//
+// Records that are written as JSON. A function beside a type describes its members.
+// ```
 //   template <class V>
 //   void describe(V& v, Cell& cell) {
 //     v.record("cell", "what was measured");
 //     v.field("scene", cell.scene, {.filled = true});
 //     v.maybe("title", cell.title, {.says = "a report's heading"});
 //   }
-//
+// ```
 // RecordWriter (record_writer.h) writes such a type, RecordReader (record_reader.h) reads and checks it, and
-// RecordSchema (record_schema.h) prints its JSON schema. A visitor has:
-//   record(name, says)        the type's name in a schema; the first call
-//   version(name, number)     a constant that a reader demands
-//   field(name, member)       always there; an empty std::optional is null
-//   maybe(name, member)       left out where it is empty, 0, false or the first word
-//   when(is_there, name, m)   left out where the condition, which may read other members, does not hold
-//   derived(name, value)      follows from members: for other readers, since RecordReader only checks it
-//   older(name, value)        in older records only: never written
-//   object(name, function)    an object whose members are the record's own: function(visitor)
-// Members are numbers, strings, booleans, enumerations with `words_of`, types with `elements` (written as a list of
-// fixed length), types with `describe`, and std::optional, std::vector, std::array, std::tuple and std::map of those.
+// RecordSchema (record_schema.h) prints its JSON schema. A visitor has these functions.
+//   `record(name, says)`       The type's name in a schema; the first call.
+//   `version(name, number)`    A constant that a reader requires.
+//   `field(name, member)`      Always present; an empty std::optional is null.
+//   `maybe(name, member)`      Left out where it is empty, 0, false or the first word.
+//   `when(is_there, name, m)`  Left out where the condition, which may read other members, does not hold.
+//   `derived(name, value)`     Follows from members: for other readers, since RecordReader only checks it.
+//   `older(name, value)`       In older records only: never written.
+//   `object(name, function)`   An object whose members are the record's own: function(visitor).
+// Members are numbers, strings, booleans, enumerations with `names_of`, and types with `describe`. Types with
+// `elements` are lists of fixed length. Also allowed are std::optional, std::vector, std::array, std::tuple and
+// std::map of those.
 #pragma once
 
 #include <concepts>
@@ -38,29 +39,29 @@ using RecordJson = nlohmann::ordered_json;
 
 /// Conditions on a member beyond its type. Numbers in lists and maps have the limits, too.
 struct RecordNote {
-  const char* says = "";                           ///< for people, in the schema
-  std::optional<double> least{}, above{}, most{};  ///< limits of a number
-  bool filled = false;                             ///< a string that is not empty
-  bool checksum = false;                           ///< a string of 16 hexadecimal digits
-  bool file = false;                               ///< names of files, relative to the record's folder
-  std::span<const char* const> words{};            ///< the only strings, or the only words of an enumeration
+  const char* says = "";                           ///< For people, in the schema.
+  std::optional<double> least{}, above{}, most{};  ///< Limits of a number.
+  bool filled = false;                             ///< A string that is not empty.
+  bool checksum = false;                           ///< A string of 16 hexadecimal digits.
+  bool file = false;                               ///< Names of files, relative to the record's folder.
+  std::span<const char* const> words{};            ///< The only strings, or the only words of an enumeration.
 };
 
-/// An enumeration whose words, in the order of its values from 0 on, `words_of` returns.
+/// An enumeration whose words, in the order of its values from 0 on, `names_of` returns.
 template <class E>
 concept RecordWord = std::is_enum_v<E> && requires(E e) {
-  std::span<const char* const>(words_of(e));
+  std::span<const char* const>(names_of(e));
 };
 
 template <RecordWord E>
 std::string word_of(E value) {
-  return words_of(value)[static_cast<std::size_t>(value)];
+  return names_of(value)[static_cast<std::size_t>(value)];
 }
 
-/// Empty where the text is none of the words.
+/// Empty where the text is not one of the words.
 template <RecordWord E>
 std::optional<E> value_of_word(const std::string& text) {
-  const std::span<const char* const> words = words_of(E{});
+  const std::span<const char* const> words = names_of(E{});
   for (std::size_t i = 0; i < words.size(); ++i)
     if (text == words[i]) return static_cast<E>(i);
   return std::nullopt;

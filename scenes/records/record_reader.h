@@ -1,5 +1,5 @@
-// Reads a record that `describe` describes (record_note.h) from JSON: every key is known, every value of its type and
-// within its limits. Errors are InputError "FILE#/JSON/pointer: error: is 3, expected a string".
+// Reads a record that `describe` describes (record_note.h) from JSON. Every key must be known, every value of its type
+// and within its limits. Errors are InputError "FILE#/JSON/pointer: error: is 3, expected a string".
 #pragma once
 
 #include <algorithm>
@@ -131,7 +131,7 @@ class RecordReader {
       read_text(json, v, note, place);
     } else if constexpr (RecordWord<T>) {
       std::string word;
-      read_text(json, word, {.words = note.words.empty() ? words_of(T{}) : note.words}, place);
+      read_text(json, word, {.words = note.words.empty() ? names_of(T{}) : note.words}, place);
       v = *value_of_word<T>(word);
     } else if constexpr (is_record_optional<T>) {
       if (json.is_null()) return v.reset();
@@ -210,7 +210,7 @@ class RecordReader {
   std::vector<std::string_view> known_{};
 };
 
-/// Throws InputError. The names of files that the record gives are added to the source's.
+/// Throws InputError. The file names in the record are added to the source's.
 template <class T>
 T read_record(const RecordJson& json, RecordSource& source) {
   T record{};
@@ -219,11 +219,11 @@ T read_record(const RecordJson& json, RecordSource& source) {
   return record;
 }
 
-/// Throws InputError, with line and column, where the text is no JSON.
+/// Throws InputError, with line and column, where the text is not JSON.
 inline RecordJson parse_record(const std::string& text, const std::string& file) try {
   return RecordJson::parse(text);
 } catch (const RecordJson::parse_error& error) {
-  // nlohmann counts the byte that it choked on from 1.
+  // nlohmann counts the offending byte from 1.
   const std::size_t at = std::min(text.size(), error.byte == 0 ? 0 : error.byte - 1);
   const std::size_t line_start = at == 0 ? 0 : text.rfind('\n', at - 1) + 1;  // npos + 1 is 0
   const auto line = 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n');

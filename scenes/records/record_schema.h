@@ -81,7 +81,7 @@ class RecordSchema {
     } else if constexpr (std::same_as<T, std::string>) {
       return text(note);
     } else if constexpr (RecordWord<T>) {
-      return one_of(note.words.empty() ? words_of(v) : note.words);
+      return one_of(note.words.empty() ? names_of(v) : note.words);
     } else if constexpr (is_record_optional<T>) {
       return {{"anyOf", {type_of(typename T::value_type{}, note), {{"type", "null"}}}}};
     } else if constexpr (is_record_list<T>) {
@@ -128,7 +128,7 @@ class RecordSchema {
   RecordJson object_ = RecordJson::object(), properties_ = RecordJson::object(), required_ = RecordJson::array();
 };
 
-/// Text of the JSON, in which an object or list that fits a line of 120 characters stands on one.
+/// Text of the JSON; an object or list that fits a line of 120 characters stands on one.
 inline std::string wrapped_json(const RecordJson& json, std::size_t indent, std::size_t before) {
   const std::string line = json.dump();
   if (!json.is_structured() || indent + before + line.size() <= 119) return line;

@@ -41,7 +41,7 @@ class RecordWriter {
     json_[name] = std::move(inner.json_);
   }
 
-  /// `name` is of the error: std::logic_error on a number that is not finite, since JSON has none.
+  /// `name` is for the error: std::logic_error on a non-finite number, since JSON has none.
   template <class T>
   static RecordJson value(const T& v, const char* name) {
     if constexpr (std::floating_point<T>) {

@@ -36,8 +36,8 @@ std::string record_problem(const RecordJson& json) try {
   return error.summary();
 }
 
-/// Every value and every key of the document, damaged one at a time; of a list's entries one for each key that they
-/// have.
+/// Every value and every key of the document, damaged one at a time. In a list, each key of its entries is damaged
+/// once.
 template <class Visit>
 void for_each_damage(const RecordJson& document, const Visit& visit) {
   std::map<std::string, std::string> places;  // by what they are without the numbers of entries
@@ -63,7 +63,7 @@ void for_each_damage(const RecordJson& document, const Visit& visit) {
   }
 }
 
-/// The document reads back to itself, and the schema agrees with the reader on it and on all that is damaged.
+/// The document reads back to itself, and the schema agrees with the reader on it and on all damaged versions.
 template <class T>
 void expect_reader_agrees_with_schema(const T& record) {
   const SchemaCheck schema(schema_text<T>());

@@ -1,4 +1,4 @@
-// JSON documents held against a JSON schema by another library, for tests of schemas and of who writes by them.
+// JSON documents checked against a JSON schema by another library, for tests of schemas and of their writers.
 #pragma once
 
 #include <memory>
@@ -11,7 +11,7 @@ class SchemaCheck {
   /// A JSON schema (draft 7).
   explicit SchemaCheck(const std::string& schema);
   ~SchemaCheck();
-  /// Empty where the document is by the schema; else "#/JSON/pointer: why not" of the innermost place.
+  /// Empty where the document conforms; else "#/JSON/pointer: why not" of the innermost place.
   std::string problem(const std::string& document) const;
 
  private:

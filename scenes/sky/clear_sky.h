@@ -1,6 +1,6 @@
-// The light of a `sunsky`: the sky (sky_hosek_wilkie.h) and the sun (sun_irradiance.h) of Hosek and Wilkie, in the
-// units of Mitsuba's sunsky: radiance per nanometre, W m^-2 sr^-1 nm^-1, as linear Rec. 709 with the integral of the
-// CIE 1931 y function divided out (cie_y_integral). Local +z is up. All is dark when the sun is below the horizon.
+// The light of a `sunsky`: the sky (sky_hosek_wilkie.h) and the sun (sun_irradiance.h) of Hosek and Wilkie. Units are
+// those of Mitsuba's sunsky: radiance per nanometre, W m^-2 sr^-1 nm^-1, as linear Rec. 709. The integral of the CIE
+// 1931 y function is divided out (cie_y_integral). Local +z is up. All is dark when the sun is below the horizon.
 #pragma once
 
 #include <vector>
@@ -12,15 +12,15 @@ namespace photonproof::inline scenes_sky {
 
 class ClearSky {
  public:
-  /// `sun_direction` is of unit length, towards the sun. The ground's albedo is a channel each. `scale` multiplies the
+  /// `sun_direction` is of unit length, towards the sun. The ground's albedo is per channel. `scale` multiplies the
   /// radiance.
   ClearSky(double turbidity, const RgbD& ground_albedo, const Vec3d& sun_direction, double scale);
 
-  /// Without the sun's disc; black below the horizon. Of a unit direction.
+  /// Sky radiance in a unit direction without the sun's disc; black below the horizon.
   RgbD radiance(const Vec3d& local) const;
 
  private:
-  /// Over a ground of each component's albedo; one for all where it is grey.
+  /// One sky per component of the ground's albedo; one for all where it is grey.
   std::vector<HosekWilkieSky> skies_;
   Vec3d sun_;
   double scale_;
@@ -29,7 +29,7 @@ class ClearSky {
 /// Steradians of a cone of this full angle, radians.
 double cone_solid_angle(double full_angle);
 
-/// Of a disc of this full angle, radians, with the sun's irradiance.
+/// Radiance of a disc of this full angle, in radians, that has the sun's irradiance.
 RgbD sun_radiance(double cos_theta_sun, double turbidity, double aperture);
 
 }  // namespace photonproof::inline scenes_sky

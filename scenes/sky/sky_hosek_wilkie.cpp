@@ -9,7 +9,7 @@ namespace {
 
 using Table = HosekWilkieTable;
 
-/// How much each entry of a table counts: one turbidity's six points for one albedo, at most four times.
+/// Weights of a table's entries: one turbidity's six points for one albedo, at most four times.
 struct Weights {
   Weights(double turbidity, double sun_elevation) {
     low = std::clamp(static_cast<int>(turbidity), 1, Table::turbidities - 1);
@@ -20,7 +20,7 @@ struct Weights {
               10 * s * s * t * t * t, 5 * s * t * t * t * t, t * t * t * t * t};
   }
 
-  /// Of the numbers `which` of every `stride` of a table.
+  /// Interpolates the numbers at index `which` of every `stride` entries of a table.
   double sum(const double* table, int stride, int which, double albedo) const {
     double total = 0;
     for (const int white : {0, 1})
@@ -33,8 +33,8 @@ struct Weights {
     return total;
   }
 
-  int low;       ///< the turbidity below, which the first of a table's is 1
-  double above;  ///< from it to the next, 0 to 1
+  int low;       ///< the turbidity below; a table's first is 1
+  double above;  ///< position between it and the next, 0 to 1
   std::array<double, Table::points> points{};
 };
 

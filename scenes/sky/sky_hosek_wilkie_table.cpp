@@ -1,6 +1,6 @@
 // Coefficients of the sky model of Hosek and Wilkie 2012, "An Analytic Model for Full Spectral Sky-Dome Radiance", for
-// the red, green and blue of Rec. 709, version 1.4a of the authors' data, from sunsky_datasets.bin of Mitsuba 3.9.1.
-// Written by harness/oracles/sky_oracle.py. The data's licence:
+// the red, green and blue of Rec. 709. Source: version 1.4a of the authors' data, from sunsky_datasets.bin of Mitsuba
+// 3.9.1. Written by harness/oracles/sky_oracle.py. The data's licence:
 //
 // Copyright 2012-2013 Lukas Hosek and Alexander Wilkie. All rights reserved.
 //

@@ -5,7 +5,7 @@
 namespace photonproof::inline scenes_sky {
 namespace {
 
-/// A place between two of `count` numbers: the lower one, and how far it is to the next.
+/// A place between two of `count` numbers: the lower one, and the share of the way to the next.
 struct Between {
   Between(double place, std::size_t count)
       : low(static_cast<std::size_t>(std::clamp(place, 0.0, static_cast<double>(count - 2)))),

@@ -1,6 +1,6 @@
 // Irradiance of the sun of Hosek and Wilkie 2013, "Adding a Solar-Radiance Function to the Hosek-Wilkie Skylight
-// Model", from sampling_data.bin of Mitsuba 3.9.1: ten turbidities from 1, each with 30 heights from 2 to 89 degrees.
-// Written by harness/oracles/sky_oracle.py. The data's licence:
+// Model". Source: sampling_data.bin of Mitsuba 3.9.1, ten turbidities from 1, each with 30 heights from 2 to 89
+// degrees. Written by harness/oracles/sky_oracle.py. The data's licence:
 //
 // Copyright 2012-2013 Lukas Hosek and Alexander Wilkie. All rights reserved.
 //

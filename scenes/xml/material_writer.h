@@ -15,7 +15,7 @@ class MaterialWriter {
   /// Everything with an id, in the order of the tables.
   void write_named();
 
-  // What another object nests: a <ref> to a thing with an id, else the thing itself.
+  // Nested objects: a <ref> to an object with an id, else the object itself.
   void use(const std::string& name, const Colour& colour);
   void use(const std::string& name, const Scalar& number);
   void use(const std::string& name, TextureIndex index);
@@ -24,7 +24,7 @@ class MaterialWriter {
   void use(const std::string& name, MediumIndex index);
 
  private:
-  // Copies, since `describe` is for readers too.
+  // Copies, since `describe` serves readers, too.
   void write(TextureDescription texture, const std::string& name);
   void write(BsdfDescription bsdf);
   void write(MediumDescription medium, const std::string& name);

@@ -1,4 +1,4 @@
-// What `describe` functions write (scenes/description/description.h): every parameter of a plugin, in their order.
+// The visitor by which `describe` functions write every parameter of a plugin (scenes/description/description.h).
 #pragma once
 
 #include <cstdint>
@@ -61,7 +61,7 @@ class PluginWriter {
     xml_.rgb("eta", ior->eta);
     xml_.rgb("k", ior->k);
   }
-  /// One `alpha` where both are the same: a texture without an id would else be written, and read, twice.
+  /// One `alpha` where both are the same: else a texture without an id would be written, and read, twice.
   void roughness(const Scalar& alpha_u, const Scalar& alpha_v) {
     if (alpha_u == alpha_v) return materials_.use("alpha", alpha_u);
     materials_.use("alpha_u", alpha_u);
@@ -83,7 +83,7 @@ class PluginWriter {
     xml_.integer("crop_width", film.crop->width);
     xml_.integer("crop_height", film.crop->height);
   }
-  /// The first of the words where it is `written`.
+  /// Writes the first of the words where `written` is true.
   void word(const char* name, std::initializer_list<const char*> words, bool written, const char*) {
     if (written) xml_.string(name, *words.begin());
   }
@@ -105,7 +105,7 @@ class PluginWriter {
   }
   void nested_texture(TextureIndex v, const char*) { materials_.use("", v); }
 
-  // What only readers need, and what others write.
+  // Calls that serve readers only, and parameters that other functions write.
   void require(const char*, const char*) {}
   template <class... Rest>
   void also(const char*, scene_xml::ParamType, const Rest&...) {}

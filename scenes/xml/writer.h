@@ -1,4 +1,4 @@
-// Writes a SceneDescription as scene XML; parse -> write -> parse is the identity (but for source positions).
+// Writes a SceneDescription as scene XML; parse -> write -> parse is the identity (except for source positions).
 #pragma once
 
 #include <string>
@@ -7,10 +7,10 @@
 
 namespace photonproof::inline scenes_xml {
 
-/// The whole scene in one file. A BSDF with an id stands in the scene, one without in each shape that uses it, so the
-/// table of BSDFs reads back the same when it is as the parser makes it: those with an id first, each other one used
-/// by exactly one shape, in the shapes' order. Meshes stay in their files, whose names are kept: the text belongs in
-/// the folder of the scene it was read from.
+/// The whole scene in one file. A BSDF with an id stands in the scene, one without in each shape that uses it. The
+/// table of BSDFs reads back the same when it has the parser's order: those with an id first, then one for each shape,
+/// in the shapes' order. Meshes stay in their files, whose names are kept: the text belongs in the folder of the scene
+/// it was read from.
 std::string write_scene(const SceneDescription& scene);
 
 }  // namespace photonproof::inline scenes_xml

@@ -67,7 +67,7 @@ class Files {
   fs::path folder_;
 };
 
-/// Random but valid scenes, canonical as the parser makes them: what has an id first, then the others in the order of
+/// Random but valid scenes in the parser's canonical form: objects with an id first, then the others in the order of
 /// their use.
 class RandomScene {
  public:
@@ -336,7 +336,7 @@ class RandomScene {
         return EnvmapDescription{"a.exr", files_.image, positive(), similarity()};
       default: {
         environment_ = true;
-        // What the parser makes of a direction: multiples of 2^-30.
+        // The parser rounds a direction to multiples of 2^-30.
         const Vec3d d = normalize(Vec3d(unit(), unit(), unit() + 0.1)) * static_cast<double>(1 << 30);
         const Vec3d on_grid = Vec3d(std::round(d.x), std::round(d.y), std::round(d.z)) / static_cast<double>(1 << 30);
         return SunSkyDescription{on_grid, 1 + 9 * unit(), rgb(), positive(), positive(), 1e-3 + 80 * unit(), turned()};

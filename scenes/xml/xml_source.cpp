@@ -12,8 +12,8 @@
 namespace photonproof::scene_xml {
 namespace {
 
-/// Walks the start tag of an element that pugixml has accepted, to find what pugixml does not keep: where attributes
-/// stand and what they look like before decoding.
+/// Walks the start tag of an element that pugixml has accepted, to find data that pugixml does not keep: the places of
+/// attributes and their text before decoding.
 class StartTag {
  public:
   StartTag(std::string_view text, std::size_t after_name) : text_(text), at_(after_name) {}
@@ -41,7 +41,7 @@ class StartTag {
   std::size_t at_;
 };
 
-/// True for "&lt;" and its like and for references to characters XML allows.
+/// True for "&lt;" and similar references, and for references to characters that XML allows.
 bool is_known_reference(std::string_view reference) {
   if (reference == "lt" || reference == "gt" || reference == "amp" || reference == "quot" || reference == "apos")
     return true;

@@ -1,5 +1,5 @@
-// Scene text as a tree of elements that know where they stand. Only xml_source.cpp knows pugixml; files are untrusted,
-// so everything a hostile file could grow (size, nesting, number of elements) is bounded here.
+// Scene text as a tree of elements with their positions. Only xml_source.cpp uses pugixml. Files are untrusted, so
+// everything a hostile file could grow (size, nesting, number of elements) is bounded here.
 #pragma once
 
 #include <cstddef>
@@ -13,7 +13,7 @@ namespace photonproof::scene_xml {
 
 constexpr std::size_t kMaxFileBytes = std::size_t{64} << 20;
 constexpr std::size_t kMaxElements = 1'000'000;  ///< over all files of a scene
-constexpr int kMaxNesting = 64;                  ///< of elements, counted through includes
+constexpr int kMaxNesting = 64;                  ///< depth of elements, counted through includes
 
 /// A byte of one of the scene's files.
 struct Position {
@@ -68,7 +68,7 @@ void check_attributes(const Sources& sources, const Element& element, const std:
 /// The value of an attribute that must be there.
 const Attribute& require(const Sources& sources, const Element& element, std::string_view name);
 
-/// Throws at the attribute; mentions the value it has after `$name` was replaced.
+/// Throws at the attribute; mentions its value after `$name` was replaced.
 [[noreturn]] void fail_at(const Sources& sources, const Attribute& attribute, const std::string& message);
 
 }  // namespace photonproof::scene_xml

@@ -31,7 +31,7 @@ class XmlWriter {
   void boolean(const std::string& name, bool v) { value("boolean", name, v ? "true" : "false"); }
   void rgb(const std::string& name, const RgbD& c);
   void point(const std::string& name, const Vec3d& p);
-  /// Nothing for the identity.
+  /// Writes nothing for the identity.
   void transform(const std::string& name, const Transform& t);
 
   std::string take() { return std::move(out_); }

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Three times ten mistakes that students make, graded: what is said first of each is what a teaching assistant would say
-# (defects/expected*.txt). Small pictures of two scenes.
-#   defects_test.sh WORK PHOTONPROOF     a folder that is made anew
+# Grades three times ten mistakes that students make. The first sentence about each must be what a teaching assistant
+# would say (defects/expected*.txt). Small pictures of two scenes.
+#   defects_test.sh WORK PHOTONPROOF     WORK is deleted and made anew
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 work=$1

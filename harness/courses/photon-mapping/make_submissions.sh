@@ -3,9 +3,9 @@
 #   make_submissions.sh FOLDER [NAME...]     FOLDER/NAME of all, or of those named; what was there of these is replaced
 #   make_submissions.sh --defects FOLDER [NAME...]     the same of defects/, which are honest with one mistake each
 #
-# handout is as handed out; honest is that with honest.patch; wrong-* and cheat-* are honest with their own patch; fast is its
-# own files and those that it has kept. The same files come out every time, but for the pictures that
-# cheat-hard-coded-image brings: those are fast's, rendered here.
+# handout is the handed-out program; honest is that with honest.patch; wrong-* and cheat-* are honest with their own
+# patch. fast is its own files and those that it has kept. The files are the same every time, except the pictures in
+# cheat-hard-coded-image, which fast renders here.
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 patches=submissions
@@ -54,7 +54,7 @@ assemble() { # NAME FOLDER
   esac
 }
 
-# What somebody who has the public scenes' pictures would hand in.
+# Makes the pictures that a student with the public scenes' pictures could hand in.
 render_pictures() { # FOLDER
   local work
   work=$(mktemp -d)

@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
-# A small set of submissions graded again and again, whatever else the machine does meanwhile: verdicts must be the same
-# every time, and speeds too, or "too noisy". Prints a table; fails where two gradings differ without saying so.
-#   regrade_test.sh WORK PHOTONPROOF [TIMES [PRECISION]]     WORK is a folder that is made anew; 20 times
-#
-# Two measured speed-ups differ silently if their points differ, or if they are more than 2 % apart and their intervals,
-# which are written beside them, have nothing in common. With a PRECISION, 0.02, only what is known as well is measured.
+# Grades a small set of submissions again and again, under any load of the machine. Verdicts must be the same every
+# time, and speeds too, or be "too noisy". Prints a table, and fails if two gradings differ without reporting it.
+#   regrade_test.sh WORK PHOTONPROOF [TIMES [PRECISION]]     WORK is deleted and made anew; 20 times
+# Two measured speed-ups differ silently if their points differ. They also do if they are more than 2 % apart and their
+# intervals, which are written beside them, do not overlap. With a PRECISION such as 0.02, only speed-ups known that
+# well are measured.
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 work=$1
@@ -23,7 +23,7 @@ cp -r "$here/scenes" "$here/staff" "$work/course"
       $scene $scene $scene
   done
 } | sed "s/^timed = .*/timed = [\"1\"]\nrounds = 5${precision:+\nprecision = $precision}/" >"$work/course/assignment.toml"
-# Built once; every run is made anew.
+# Built once; every run is a new one.
 for time in $(seq "$times"); do
   rm -rf "$work/grades/cells" "$work/grades/rounds"
   "$photonproof" grade "$work/course/assignment.toml" "$work"/course/submissions/* --resume -o "$work/grades" >"$work/log" 2>&1 ||

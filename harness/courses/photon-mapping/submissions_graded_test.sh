@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# The example's submissions are graded, in small pictures of the public scenes and of the third; submissions_told_test.py
-# looks at what is said of each.
-#   submissions_graded_test.sh WORK PHOTONPROOF [OPTION...]     a folder that is made anew; options of `photonproof grade`
+# Grades the example's submissions in small pictures of the public scenes and of the third. Then
+# submissions_told_test.py checks the sentences about each.
+#   submissions_graded_test.sh WORK PHOTONPROOF [OPTION...]     WORK is made anew; options of `photonproof grade`
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 work=$1
@@ -12,7 +12,7 @@ mkdir -p "$work/course/submissions"
 cp -r "$here/scenes" "$here/staff" "$work/course"
 "$here/make_submissions.sh" "$work/course" honest
 "$here/make_submissions.sh" "$work/course/submissions"
-# Of all sources at once, in a third of the time; where two of them define a macro, by the Makefile.
+# Compiles all sources at once, in a third of the time; uses the Makefile if two of them define a macro.
 cat >"$work/build.toml" <<'END'
 command = ["sh", "-c", '''
   flags='-std=c++17 -O1 -pthread'

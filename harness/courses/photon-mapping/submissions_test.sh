@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# The example's submissions come out the same every time, the handout passes its own tests, honest renders what the handout
-# renders, and fast renders at all.
-#   submissions_test.sh WORK     a folder that is made anew
+# The example's submissions are the same every time, the handout passes its own tests, honest renders the same as the
+# handout, and fast renders at all.
+#   submissions_test.sh WORK     WORK is deleted and made anew
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 work=$1
@@ -21,7 +21,7 @@ for name in "${names[@]:3}"; do
 done
 if "$here/make_submissions.sh" "$work/once" nobody 2>/dev/null; then echo "nobody is a submission" >&2; exit 1; fi
 
-# Few photons and rays, for the time's sake.
+# Few photons and rays, to save time.
 for name in handout honest fast; do
   sed -E 's/(GLOBAL_PHOTONS|CAUSTIC_PHOTONS|CAUSTIC_PHOTONS_WATER) [0-9]+/\1 300/; s/(GATHER_[A-Z]+) [0-9]+/\1 5/' \
     "$here/staff/config.h" >"$work/once/$name/config.h"

@@ -101,9 +101,9 @@ Excess Comparison::excess_by_rows(const Rows& rows, double most) const {
       result.block[first + i / 3] += over * over;
       result.total += over * over;
     }
-    if (result.total > most) return {any, {}};  // and what is below is no less
+    if (result.total > most) return {any, {}};  // the rows below only add to it
   }
-  // What a guess does not know counts like the rest; one that knows next to nothing explains nothing.
+  // Unknown blocks of a guess count like the known ones. A guess with hardly any known block explains nothing.
   constexpr double least_known = 0.05;
   if (static_cast<double>(compared) < least_known * static_cast<double>(comparable)) result.total = unexplained;
   if (compared > 0) result.total *= static_cast<double>(3 * result.block.size()) / static_cast<double>(compared);

@@ -1,4 +1,4 @@
-// What a guess leaves, against the definition read off comparison.h pixel by pixel, and against pictures that are made.
+// The excess of a guess, against the definition in comparison.h pixel by pixel, and against pictures made here.
 #include "harness/diagnosis/pictures/comparison.h"
 
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kTolerance = 0.08;
 
-/// With a gradient, noise, and some pixels that are not known.
+/// A gradient with noise and some unknown pixels.
 Image speckled(int width, int height, unsigned seed) {
   std::mt19937 random(seed);
   Image image(width, height);
@@ -41,7 +41,7 @@ double compared_value(const Comparison& comparison, const Image& image, int x, i
                                                       : std::numeric_limits<double>::quiet_NaN();
 }
 
-/// Half the mean square of what neighbours differ by, of a block with a pixel around it.
+/// Half the mean square of differences between neighbours, in a block with a pixel around it.
 template <class Value>
 double neighbours_variance(const Image& size, int bx, int by, const Value& value) {
   double sum = 0;
@@ -92,7 +92,7 @@ TEST(Comparison, leaves_what_blocks_differ_by_beyond_their_allowance) {
   }
 }
 
-// All of a thousand.
+// Tests all of the thousand combinations.
 TEST(ArrangedTotals, are_those_of_the_pictures) {
   const Image submitted = speckled(18, 18, 3), picture = speckled(18, 18, 4);
   const Comparison comparison(submitted, 1.0f, kTolerance, every_seventh(submitted));

@@ -1,5 +1,5 @@
-// Sums over blocks of 4 x 4 pixels that need no more than a few rows of a picture at a time. A row has 3 values a
-// pixel; what is not finite is left out.
+// Sums over blocks of 4 x 4 pixels that need only a few rows of a picture at a time. A row has 3 values a pixel; values
+// that are not finite are left out.
 #pragma once
 
 #include <cstddef>
@@ -8,22 +8,22 @@
 
 namespace photonproof::inline harness_diagnosis_pictures {
 
-/// Half the mean square of differences of neighbours is the variance of noise that neighbours do not share. Over a row
-/// of blocks, each with a pixel around it.
+/// The variance of noise that neighbours do not share: half the mean square of differences of neighbours. The sums go
+/// over a row of blocks, each with a pixel around it.
 class NeighbourSquares {
  public:
   explicit NeighbourSquares(std::size_t row_values);
   void clear();
-  /// Pixels of a row, each with those right and below.
+  /// Adds the pixels of a row, each with its right and lower neighbour.
   void add(const float* row, const float* below);
-  /// Three of every block of the row of blocks; 0 where no differences are known.
+  /// Writes three values for every block of the row of blocks; 0 where no differences are known.
   void variances(float* of_blocks) const;
 
  private:
-  std::vector<float> squares_, counts_;  ///< of columns
+  std::vector<float> squares_, counts_;  ///< sums of columns
 };
 
-/// Of one row of blocks: what differs, and what is expected there.
+/// Sums over the blocks of one row of blocks: differences and expected values.
 class BlockSums {
  public:
   struct Sum {
@@ -36,15 +36,15 @@ class BlockSums {
   Sum of_block(std::size_t block, std::size_t channel) const;
 
  private:
-  std::vector<float> difference_, expected_, count_;  ///< of columns
+  std::vector<float> difference_, expected_, count_;  ///< sums of columns
 };
 
-/// The rows of `submitted`, of `row_values` each, less those that `rows` writes; a few at a time, from first to last.
+/// The rows of `submitted`, of `row_values` each, less those of `rows`; a few at a time, from first to last.
 class DifferenceBand {
  public:
   DifferenceBand(const std::function<void(int y, float* values)>& rows, const std::vector<float>& submitted,
                  std::size_t row_values);
-  /// Of rows first to end - 1; neither less than before, and first not beyond what was held.
+  /// Holds rows first to end - 1. Neither decreases between calls, and `first` is at most the last `end`.
   void hold(int first, int end);
   const float* expected(int y) const { return &expected_[at(y)]; }
   const float* difference(int y) const { return &difference_[at(y)]; }

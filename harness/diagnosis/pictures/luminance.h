@@ -1,4 +1,4 @@
-// How bright a pixel looks, where diagnosis asks for one number of it.
+// The brightness of a pixel as one number, for diagnosis.
 #pragma once
 
 namespace photonproof::inline harness_diagnosis_pictures {

@@ -110,7 +110,7 @@ float mean_over(const Image& image, double x0, double x1, double y0, double y1, 
   return static_cast<float>(area > 0 ? sum / area : 0);
 }
 
-/// Between the four nearest pixels; (0.5, 0.5) is the middle of the first. Outside, NaN, or the nearest where `edge`.
+/// Interpolates the four nearest pixels; (0.5, 0.5) is the first one's middle. Outside: NaN, or the nearest if `edge`.
 float between(const Image& image, double x, double y, std::size_t c, bool edge) {
   if (!edge && (x < 0 || y < 0 || x > image.width || y > image.height)) return std::numeric_limits<float>::quiet_NaN();
   const double px = std::clamp(x - 0.5, 0.0, image.width - 1.0), py = std::clamp(y - 0.5, 0.0, image.height - 1.0);

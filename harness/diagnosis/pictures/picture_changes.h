@@ -1,5 +1,5 @@
-// What programs do to whole pictures: turn them, exchange channels, encode them. Each is a change of the expected
-// picture, with the sentence and the cause it stands for.
+// Changes that programs make to whole pictures: turns, exchanged channels, encodings. Each is a change of the expected
+// picture, with its sentence and cause.
 #pragma once
 
 #include <array>
@@ -16,8 +16,8 @@ struct TurnRow {
   const char* kind;
   const char* sentence;
   const char* cause;
-  bool swaps_sides;           ///< for square pictures alone
-  std::array<int, 6> matrix;  ///< of the guess's pixel (x, y), from 0: x' = m0 x + m1 y + m2 (w-1), y' alike
+  bool swaps_sides;           ///< only for square pictures
+  std::array<int, 6> matrix;  ///< for the guess's pixel (x, y), from 0: x' = m0 x + m1 y + m2 (w-1), y' likewise
 };
 /// The first changes nothing.
 std::span<const TurnRow> turn_rows();
@@ -41,19 +41,19 @@ struct ToneRow {
 std::span<const ToneRow> tone_rows();
 Image toned(const Image& image, const ToneRow& row, double white);
 
-/// What is added to `from`, of the same size, where it becomes `to`.
+/// The difference `to` - `from` of two images of one size.
 Image change_of(const Image& to, const Image& from);
 
-/// Shifted by dx, dy pixels and enlarged about the middle; what comes from outside is NaN.
+/// Shifted by dx, dy pixels and enlarged about the middle; NaN where nothing is known.
 Image viewed(const Image& image, double dx, double dy, double zoom);
-/// Read with rows that are so many pixels longer than they were stored with; the first or the last row stays. NaN where
-/// there is nothing.
+/// The image read in rows that are `longer` pixels longer than stored. The first or the last row stays. NaN where there
+/// is nothing.
 Image restrided(const Image& image, int longer, bool from_last);
-/// Gaussian of this deviation in pixels.
+/// Blurred by a Gaussian of this deviation in pixels.
 Image blurred(const Image& image, double deviation);
-/// Every block of this many pixels a side is its mean.
+/// Replaces every block of this many pixels a side by its mean.
 Image coarse(const Image& image, int side);
-/// To another size, by means over the area of each new pixel, or between pixels where it is enlarged.
+/// Resized, by means over the area of each new pixel, or by interpolation where it is enlarged.
 Image resized(const Image& image, int width, int height);
 
 }  // namespace photonproof::inline harness_diagnosis_pictures

@@ -28,11 +28,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A call that writes, and where it says which file: by a descriptor or by a path, in the argument of that number.
+/// A call that writes. Its file is given by a descriptor or by a path, in the argument of that number.
 struct WritingCall {
   long number;
   int descriptor = -1, path = -1;
-  int flags = -1;  ///< of open: the argument with them; only those that may write are asked about
+  int flags = -1;  ///< The flags' argument of an open; only opens for writing are intercepted.
 };
 
 constexpr std::array calls {
@@ -50,7 +50,7 @@ constexpr std::uint32_t argument(int index) {
   return static_cast<std::uint32_t>(offsetof(seccomp_data, args) + static_cast<std::size_t>(index) * 8);
 }
 
-/// All calls but ours pass at once.
+/// A filter that passes all calls except `calls`.
 std::vector<sock_filter> filter_program() {
   std::vector<sock_filter> program;
   const auto add = [&](int code, std::uint32_t value, std::uint8_t if_true = 0, std::uint8_t if_false = 0) {
@@ -61,7 +61,7 @@ std::vector<sock_filter> filter_program() {
     const auto number = static_cast<std::uint32_t>(call.number);
     if (call.flags < 0) {
       add(BPF_JMP | BPF_JEQ | BPF_K, number, 0, 1);
-    } else {  // one that only reads is not asked about
+    } else {  // an open for reading is not intercepted
       add(BPF_JMP | BPF_JEQ | BPF_K, number, 0, 4);
       add(BPF_LD | BPF_W | BPF_ABS, argument(call.flags));
       add(BPF_JMP | BPF_JSET | BPF_K, O_WRONLY | O_RDWR | O_CREAT, 1, 0);
@@ -73,7 +73,7 @@ std::vector<sock_filter> filter_program() {
   return program;
 }
 
-/// A descriptor on which the kernel asks; -1 where it does not.
+/// The descriptor on which the kernel reports calls; -1 on failure.
 int install_filter() {
   std::vector<sock_filter> program = filter_program();
   const sock_fprog all{static_cast<unsigned short>(program.size()), program.data()};
@@ -85,7 +85,7 @@ class Supervisor {
  public:
   Supervisor(const BadDisk& disk, int listener) : disk_(disk), listener_(listener) {}
 
-  /// Until nobody is left to ask; the exit code is that of `child`.
+  /// Runs until no process is left; returns the exit code of `child`.
   int supervise(pid_t child) {
     int code = 0;
     bool child_ended = false;
@@ -141,7 +141,7 @@ class Supervisor {
     std::array<char, 4096> text{};
     const int memory = open((process / "mem").c_str(), O_RDONLY | O_CLOEXEC);
     if (memory < 0) return {};
-    // To the end of its page, behind which there may be nothing.
+    // Reads to the end of the page: the next one may not be mapped.
     const std::size_t most = text.size() - address % text.size();
     ssize_t length = pread(memory, text.data(), most, static_cast<off_t>(address));
     const bool goes_on = length > 0 && std::memchr(text.data(), 0, static_cast<std::size_t>(length)) == nullptr;
@@ -167,12 +167,12 @@ int run_on_bad_disk(const BadDisk& disk, const std::vector<std::string>& argv) {
   words.push_back(nullptr);
   std::array<int, 2> told{};
   if (pipe2(told.data(), O_CLOEXEC) != 0) return no_bad_disk_exit_code;
-  // The child shares our table of descriptors, so that the one it is asked by is ours, too; exec gives it its own.
+  // The child shares our table of descriptors, so its listener is ours, too; exec gives it its own table.
   const auto child = static_cast<pid_t>(syscall(SYS_clone, CLONE_FILES | SIGCHLD, nullptr, nullptr, nullptr, nullptr));
   if (child < 0) return no_bad_disk_exit_code;
   if (child == 0) {
     prctl(PR_SET_PDEATHSIG, SIGKILL);
-    // Written before the filter is there: nobody would answer yet. The kernel gives the lowest free number.
+    // Written before the filter exists, as nobody would answer yet. The kernel gives the lowest free number.
     const int next = fcntl(told[0], F_DUPFD_CLOEXEC, 0);
     close(next);
     [[maybe_unused]] const ssize_t written = write(told[1], &next, sizeof next);

@@ -10,7 +10,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* delay = "0.002";  // seconds a call
 
-/// By the subcommand that faults_trial.cpp hides.
+/// Uses the hidden subcommand of faults_trial.cpp.
 std::vector<std::string> on_bad_disk(const std::vector<std::string>& options, const std::vector<std::string>& command) {
   std::vector<std::string> words{fs::read_symlink("/proc/self/exe").string(), "on-bad-disk"};
   words.insert(words.end(), options.begin(), options.end());
@@ -19,7 +19,7 @@ std::vector<std::string> on_bad_disk(const std::vector<std::string>& options, co
   return words;
 }
 
-void check_that_it_was_tried(const VictimEnd& end) {
+void check_that_it_was_tried(const ProcessEnd& end) {
   if (end.exited && end.code == no_bad_disk_exit_code)
     throw NotTried{"this system does not let us be asked about system calls (seccomp_unotify)"};
 }
@@ -27,8 +27,8 @@ void check_that_it_was_tried(const VictimEnd& end) {
 }  // namespace
 
 TrialResult slow_disk_trial(const Trial& trial) {
-  const VictimEnd end =
-      Victim(on_bad_disk({"--delay", delay}, trial.work.command(trial.place)), trial.folder).end(patience);
+  const ProcessEnd end =
+      TestedProcess(on_bad_disk({"--delay", delay}, trial.work.command(trial.place)), trial.folder).end(patience);
   check_that_it_was_tried(end);
   TrialResult result{1, {}};
   if (!end.exited || end.hung || end.code != trial.undisturbed.exit_code) result.broken = end.sentence();
@@ -40,10 +40,10 @@ TrialResult slow_disk_trial(const Trial& trial) {
 
 TrialResult failing_disk_trial(const Trial& trial) {
   const std::string after = std::to_string(trial.random(0) * trial.undisturbed.seconds);
-  const VictimEnd end = Victim(on_bad_disk({"--fails-after", after, "--folder", trial.place.out.string()},
-                                           trial.work.command(trial.place)),
-                               trial.folder)
-                            .end(patience);
+  const ProcessEnd end = TestedProcess(on_bad_disk({"--fails-after", after, "--folder", trial.place.out.string()},
+                                                   trial.work.command(trial.place)),
+                                       trial.folder)
+                             .end(patience);
   check_that_it_was_tried(end);
   TrialResult result{1, what_is_disorderly(end)};
   FinishedParts finished;

@@ -1,5 +1,5 @@
-// Disks that are full, read-only or gone. File systems are made by mount(8) in a mount namespace of the run's own, so
-// that nothing is left of them; an ordinary user has them in a user namespace.
+// Disks that are full, read-only or gone. mount(8) makes the file systems in the run's own mount namespace, so that
+// nothing of them remains. An ordinary user gets a user namespace as well.
 
 #include <unistd.h>
 
@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 
 constexpr std::uintmax_t page = 4096;
 
-/// `sh -c script` with its words after it, where it may mount.
+/// `sh -c script` with its words after it, in a namespace where it may mount.
 std::vector<std::string> where_mounting(const std::string& script, const std::vector<std::string>& words) {
   std::vector<std::string> argv{"unshare"};
   if (geteuid() != 0) argv.insert(argv.end(), {"--user", "--map-root-user"});
@@ -31,8 +31,8 @@ void need_mounts() {
   static const ProcessOutcome tried =
       run_process(where_mounting("mount -t tmpfs -o size=4k none /tmp", {}), {.wall_limit_seconds = 20});
   if (tried.ok()) return;
-  const std::string said = last_line(tried.standard_error);
-  throw NotTried{"no file system can be mounted here: " + (said.empty() ? tried.sentence() : said)};
+  const std::string message = last_line(tried.standard_error);
+  throw NotTried{"no file system can be mounted here: " + (message.empty() ? tried.sentence() : message)};
 }
 
 std::vector<std::string> then(std::vector<std::string> words, const std::vector<std::string>& command) {
@@ -40,10 +40,10 @@ std::vector<std::string> then(std::vector<std::string> words, const std::vector<
   return words;
 }
 
-/// A run that is killed at half its time, so that there is something to go on from.
+/// Kills a run at half its time, so that there is something to resume.
 void do_half(const Trial& trial) {
-  Victim victim(trial.work.command(trial.place), trial.folder);
-  victim.wait((0.25 + 0.5 * trial.random(100)) * trial.undisturbed.seconds);
+  TestedProcess process(trial.work.command(trial.place), trial.folder);
+  process.wait((0.25 + 0.5 * trial.random(100)) * trial.undisturbed.seconds);
 }
 
 }  // namespace
@@ -53,16 +53,16 @@ TrialResult full_disk_trial(const Trial& trial) {
   const fs::path kept = trial.folder / "kept";
   fs::remove_all(kept);
   fs::create_directories(kept);
-  // From nothing at all to nearly enough; a file system has whole pages.
+  // The size ranges from nothing to nearly enough; a file system has whole pages.
   const auto size =
       std::max(page, static_cast<std::uintmax_t>(trial.random(0) * static_cast<double>(trial.undisturbed.bytes)));
   const std::string script =
       "mount -t tmpfs -o size=\"$1\" none \"$2\" || exit 99\nfrom=$2 to=$3\nshift 3\n\"$@\"\ncode=$?\n"
       "cp -a \"$from/.\" \"$to/\" || exit 98\nexit $code";
-  const VictimEnd end =
-      Victim(where_mounting(script, then({std::to_string(size), trial.place.out.string(), kept.string()},
-                                         trial.work.command(trial.place))),
-             trial.folder)
+  const ProcessEnd end =
+      TestedProcess(where_mounting(script, then({std::to_string(size), trial.place.out.string(), kept.string()},
+                                                trial.work.command(trial.place))),
+                    trial.folder)
           .end(patience);
   TrialResult result{1, what_is_disorderly(end)};
   if (!result.broken.empty()) result.broken = "on a disk of " + std::to_string(size) + " bytes it " + result.broken;
@@ -76,14 +76,15 @@ TrialResult full_disk_trial(const Trial& trial) {
 
 TrialResult read_only_disk_trial(const Trial& trial) {
   need_mounts();
-  if (trial.random(1) < 0.7) do_half(trial);  // else nothing was done yet
+  if (trial.random(1) < 0.7) do_half(trial);  // else nothing is done yet
   FinishedParts before, after;
   TrialResult result{1, what_was_lost(trial, {}, before)};
   if (!result.broken.empty()) return result;
   const std::string script =
       "mount --bind \"$1\" \"$1\" && mount -o remount,ro,bind \"$1\" || exit 99\nshift\nexec \"$@\"";
-  const VictimEnd end =
-      Victim(where_mounting(script, then({trial.place.out.string()}, trial.work.command(trial.place))), trial.folder)
+  const ProcessEnd end =
+      TestedProcess(where_mounting(script, then({trial.place.out.string()}, trial.work.command(trial.place))),
+                    trial.folder)
           .end(patience);
   result.broken = what_is_disorderly(end);
   if (result.broken.empty() && end.code == 0) result.broken = "succeeded, though it could not write anything";
@@ -97,14 +98,14 @@ TrialResult read_only_disk_trial(const Trial& trial) {
 TrialResult vanishing_disk_trial(const Trial& trial) {
   const fs::path gone = trial.place.out.string() + "-gone";
   fs::remove_all(gone);
-  Victim victim(trial.work.command(trial.place), trial.folder);
-  std::optional<VictimEnd> end = victim.wait(trial.random(2) * trial.undisturbed.seconds);
+  TestedProcess process(trial.work.command(trial.place), trial.folder);
+  std::optional<ProcessEnd> end = process.wait(trial.random(2) * trial.undisturbed.seconds);
   TrialResult result;
   if (!end) {
     fs::rename(trial.place.out, gone);
-    end = victim.end(patience);
+    end = process.end(patience);
     result.count = 1;
-    fs::remove_all(trial.place.out);  // what was made anew under its name
+    fs::remove_all(trial.place.out);  // removes what the run made anew under its name
     fs::rename(gone, trial.place.out);
   }
   result.broken = what_is_disorderly(*end);

@@ -1,4 +1,4 @@
-// The faults, a row each: what is done, what must hold, and how often it is tried.
+// The faults, a row each: the disturbance, the property that must hold, and the number of trials.
 #pragma once
 
 #include <functional>
@@ -10,18 +10,18 @@
 namespace photonproof::inline harness_stress_faults {
 
 struct FaultRow {
-  std::string name;          ///< "kill"
-  std::string done;          ///< what is done
-  std::string must_hold;     ///< what must hold
-  int quick = 1, full = 10;  ///< trials a work
-  bool is_kill = false;      ///< as many trials as it takes for the kills that are asked for
+  std::string name;          ///< "kill".
+  std::string done;          ///< The disturbance.
+  std::string must_hold;     ///< The property that must hold.
+  int quick = 1, full = 10;  ///< Trials a work.
+  bool is_kill = false;      ///< Runs as many trials as the requested kills take.
   std::function<TrialResult(const Trial&)> run;
 };
 
-/// In the order in which they are tried.
+/// All faults, in the order of the trials.
 const std::vector<FaultRow>& fault_rows();
 
-// A file each; they throw NotTried, and InputError where the machine fails them.
+// A file each. They throw NotTried, and InputError where the machine itself fails.
 TrialResult kill_trial(const Trial& trial);
 TrialResult full_disk_trial(const Trial& trial);
 TrialResult read_only_disk_trial(const Trial& trial);

@@ -27,7 +27,7 @@ void describe(V& v, FaultOutcome& r) {
 
 namespace {
 
-/// A fault's row and what came of its works, as the record groups them.
+/// A fault's row and the outcomes of its works, as the record groups them.
 struct FaultGroup {
   std::string name, done, must_hold;
   std::vector<FaultOutcome> works{};
@@ -63,7 +63,7 @@ void describe(V& v, FaultsDocument& r) {
   v.field("faults", r.faults);
 }
 
-/// What all works of a row came to.
+/// The sum over all works of a row.
 struct RowSum {
   int count = 0, broken = 0, works = 0;
   std::string first_broken, not_tried;

@@ -24,7 +24,7 @@ constexpr std::size_t most_sentences = 5;
 struct Pair {
   const FaultRow* row;
   const Work* work;
-  int asked;  // trials, or kills
+  int asked;  // requested trials, or kills
 };
 
 std::string name_of(const FaultRow& row, const Work& work) { return row.name + ", " + work.name; }
@@ -53,7 +53,7 @@ class Faults {
   explicit Faults(const FaultsOptions& options) : options_(options), file_(options.folder / "faults.json") {
     const std::string checksum = file_checksum(options.program);
     if (fs::exists(file_)) record_ = read_faults_record(file_);
-    // Of another program or seed nothing is known yet.
+    // A record of another program or seed does not count.
     if (record_.checksum != checksum || record_.seed != options.seed) record_ = {};
     record_.created = utc_now();
     record_.program = options.version;
@@ -76,7 +76,7 @@ class Faults {
     fs::create_directories(trial_folder_);
     for (const Pair& pair : pairs) all_ += pair.asked;
     for (const Pair& pair : pairs) {
-      befall(pair);
+      try_pair(pair);
       record_.seconds = before + timer.seconds();
       write_faults_record(record_, file_);
       if (record_.interrupted) break;
@@ -86,7 +86,7 @@ class Faults {
   }
 
  private:
-  void befall(const Pair& pair) {
+  void try_pair(const Pair& pair) {
     FaultOutcome& outcome = record_.of(pair.row->name, pair.work->name);
     outcome.asked = pair.asked;
     outcome.not_tried.clear();

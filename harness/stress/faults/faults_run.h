@@ -1,4 +1,4 @@
-// Lets every fault befall every work, and keeps what is decided.
+// Tries every fault on every work, and keeps the results.
 #pragma once
 
 #include <atomic>
@@ -13,23 +13,23 @@
 namespace photonproof::inline harness_stress_faults {
 
 struct FaultsOptions {
-  std::filesystem::path folder;   ///< receives everything; what an earlier run of the same program decided counts
-  std::filesystem::path program;  ///< photonproof
-  int kills = 1000;               ///< of all works together
-  bool quick = false;             ///< one trial a work; the kills are as asked
-  std::string only;               ///< pairs of fault and work whose name contains this; empty: all
-  std::uint64_t seed = 1;         ///< decides every moment
-  std::string command, version;   ///< for the record
+  std::filesystem::path folder;   ///< Receives everything; decisions of an earlier run of the same program count.
+  std::filesystem::path program;  ///< The program photonproof.
+  int kills = 1000;               ///< For all works together.
+  bool quick = false;             ///< One trial a work; `kills` still holds.
+  std::string only;               ///< Pairs of fault and work whose name contains this; empty: all.
+  std::uint64_t seed = 1;         ///< Decides every moment.
+  std::string command, version;   ///< For the record.
   const std::atomic<bool>* interrupt = nullptr;
-  /// After each trial: what befell so far, of all.
+  /// Called after each trial with the number of faults so far and of all.
   std::function<void(int done, int all, const FaultOutcome&)> progress{};
 };
 
 /// "kill, bench": the names that --only chooses from.
 std::vector<std::string> fault_names();
 
-/// Throws InputError where nothing is chosen, the folder cannot be used, or a work does not come to the same twice in
-/// peace. faults.json is written after every trial.
+/// Throws InputError where nothing is chosen, the folder cannot be used, or two undisturbed runs of a work differ.
+/// Writes faults.json after every trial.
 FaultsRecord run_faults(const FaultsOptions& options);
 
 }  // namespace photonproof::inline harness_stress_faults

@@ -1,5 +1,5 @@
-// Every fault befalls a sound program and is held against; and programs that lose, repeat, crash or differ are found,
-// each by the check that is there for it.
+// Every fault is tried on a sound program. Programs that lose or repeat work, crash or give another result are found,
+// each by its own check.
 
 #include <gtest/gtest.h>
 
@@ -22,8 +22,8 @@ class Faults : public FolderTest {
     argv.insert(argv.end(), more.begin(), more.end());
     return run_process(argv, {.wall_limit_seconds = 200});
   }
-  /// By a program that is ours but for what the script does before ($* are its arguments, $out its results folder),
-  /// from its third run on: two go by in peace.
+  /// Tests a program that is ours after running the script ($* are its arguments, $out its results folder). The script
+  /// runs from the third run on: the first two are undisturbed.
   ProcessOutcome faults_of(const std::string& script, const std::string& only, const std::string& kills = "4") const {
     const std::string calls = (folder_ / "calls").string();
     put("program", "#!/bin/sh\nif [ \"$1\" = bench ]; then\n  out=$4\n  echo >>" + calls + "\n  if [ $(wc -l <" +
@@ -65,7 +65,7 @@ TEST_F(Faults, find_a_program_that_loses_what_was_finished) {
 }
 
 TEST_F(Faults, find_a_program_that_measures_twice) {
-  // Every cell that is there looks like the first of two.
+  // Every existing cell looks like the first of two.
   const char* script = "for cell in $out/cells/*-1; do [ ! -f $cell/cell.json ] || cp -r $cell ${cell%-1}-2; done";
   EXPECT_EQ(faults_of(script, "kill, bench", "3").exit_code, 1);
   EXPECT_NE(broken().find("measured twice"), std::string::npos) << broken();

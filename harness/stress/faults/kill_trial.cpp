@@ -12,7 +12,7 @@ namespace {
 constexpr int most_kills = 4;
 constexpr std::array signals{SIGKILL, SIGTERM, SIGINT};
 
-/// Engines have to go with the run that started them; a busy machine takes its time.
+/// True if engines outlive the run that started them; a busy machine takes some time to end them.
 bool leaves_processes(const Trial& trial) {
   const Timer timer;
   while (runs_with(trial.place.out.string())) {
@@ -22,8 +22,8 @@ bool leaves_processes(const Trial& trial) {
   return false;
 }
 
-/// SIGTERM and SIGINT come before the program listens, or are obeyed, or come too late; SIGKILL is.
-bool ended_as_told(const VictimEnd& end, int signal_number, int undisturbed_code) {
+/// SIGTERM and SIGINT may come before the program handles them, be obeyed, or come too late; SIGKILL always ends it.
+bool ended_as_signalled(const ProcessEnd& end, int signal_number, int undisturbed_code) {
   if (end.hung) return false;
   if (!end.exited) return end.signal == signal_number;
   return end.code == 130 || end.code == undisturbed_code;
@@ -35,13 +35,13 @@ TrialResult kill_trial(const Trial& trial) {
   TrialResult result;
   FinishedParts finished;
   for (std::uint64_t attempt = 0; attempt < most_kills; ++attempt) {
-    Victim victim(trial.work.command(trial.place), trial.folder);
-    if (victim.wait(trial.random(3 * attempt) * trial.undisturbed.seconds)) break;  // finished before
+    TestedProcess process(trial.work.command(trial.place), trial.folder);
+    if (process.wait(trial.random(3 * attempt) * trial.undisturbed.seconds)) break;  // finished before the signal
     const int signal_number = signals[static_cast<std::size_t>(trial.random(3 * attempt + 1) * signals.size())];
-    victim.send(signal_number);
-    const VictimEnd end = victim.end(patience);
+    process.send(signal_number);
+    const ProcessEnd end = process.end(patience);
     ++result.count;
-    if (!ended_as_told(end, signal_number, trial.undisturbed.exit_code))
+    if (!ended_as_signalled(end, signal_number, trial.undisturbed.exit_code))
       result.broken = "told to end by signal " + std::to_string(signal_number) + " it " + end.sentence();
     if (result.broken.empty() && leaves_processes(trial)) result.broken = "killed, it leaves processes behind";
     FinishedParts now;

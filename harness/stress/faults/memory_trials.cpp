@@ -15,7 +15,7 @@ std::vector<std::string> with_little_memory(const std::vector<std::string>& comm
   return words;
 }
 
-/// What cannot fit: an image, a landscape.
+/// Commands that cannot fit into the limit: a large image, a landscape.
 std::vector<std::vector<std::string>> commands_too_large(const Trial& trial) {
   const std::string program = trial.place.program.string(), scene = (trial.place.inputs / "scene/scene.xml").string(),
                     image = (trial.place.out / "large.exr").string();
@@ -37,14 +37,14 @@ std::size_t lines_in(const std::string& text) {
 
 TrialResult little_memory_trial(const Trial& trial) {
   TrialResult result{1, {}};
-  const VictimEnd end = Victim(with_little_memory(trial.work.command(trial.place)), trial.folder).end(patience);
+  const ProcessEnd end = TestedProcess(with_little_memory(trial.work.command(trial.place)), trial.folder).end(patience);
   result.broken = what_is_disorderly(end);
   FinishedParts finished;
   if (result.broken.empty()) result.broken = what_was_lost(trial, {}, finished);
   if (result.broken.empty()) result.broken = what_differs_when_finished(trial, finished);
   for (const std::vector<std::string>& command : commands_too_large(trial)) {
     if (!result.broken.empty()) break;
-    const VictimEnd too_large = Victim(with_little_memory(command), trial.folder).end(patience);
+    const ProcessEnd too_large = TestedProcess(with_little_memory(command), trial.folder).end(patience);
     if (!too_large.exited || too_large.hung || too_large.code != 2 || lines_in(too_large.standard_error) != 1)
       result.broken = command[1] + " of what cannot fit " + too_large.sentence();
   }

@@ -49,7 +49,7 @@ Undisturbed undisturbed(const Work& work, const WorkPlace& place, const fs::path
   for (int run = 0; run < 2; ++run) {
     begin_anew(place);
     const Timer timer;
-    const VictimEnd end = Victim(work.command(place), folder).end(patience);
+    const ProcessEnd end = TestedProcess(work.command(place), folder).end(patience);
     const double seconds = timer.seconds();
     if (!end.is_orderly() || end.code == 2) throw InputError(work.name, "in peace " + end.sentence());
     const std::string result = work.result(place);
@@ -76,7 +76,7 @@ std::string what_was_lost(const Trial& trial, const FinishedParts& before, Finis
 }
 
 std::string what_differs_when_finished(const Trial& trial, const FinishedParts& before) {
-  const VictimEnd end = Victim(trial.work.command(trial.place), trial.folder).end(patience);
+  const ProcessEnd end = TestedProcess(trial.work.command(trial.place), trial.folder).end(patience);
   if (!end.exited || end.hung || end.code != trial.undisturbed.exit_code)
     return fmt::format("finished in peace it {}, where it should exit with {}", end.sentence(),
                        trial.undisturbed.exit_code);
@@ -93,7 +93,7 @@ std::string what_differs_when_finished(const Trial& trial, const FinishedParts& 
   }
 }
 
-std::string what_is_disorderly(const VictimEnd& end) {
+std::string what_is_disorderly(const ProcessEnd& end) {
   if (!end.is_orderly()) return end.sentence();
   if (end.code != 2) return {};
   if (end.standard_error.find_first_not_of(" \n") == std::string::npos) return "exited with 2 without a word";

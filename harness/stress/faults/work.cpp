@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 
 std::string scene_of(const WorkPlace& place) { return (place.inputs / "scene" / "scene.xml").string(); }
 
-/// References and verdicts are kept where the work writes, not in somebody's cache.
+/// Keeps references and verdicts in the work's folder and not in the user's cache.
 std::vector<std::string> command_of(const WorkPlace& place, std::vector<std::string> arguments) {
   arguments.insert(arguments.begin(), place.program.string());
   return with_environment({"PHOTONPROOF_CACHE=" + (place.out / "cache").string()}, arguments);
@@ -40,7 +40,7 @@ std::string existing_checksum(const fs::path& file) {
   return file_checksum(file);
 }
 
-/// Cells that have come to something, as bench, gate and grade keep them: cells/<key>-<n>/cell.json, written last.
+/// Cells with a result, as bench, gate and grade keep them: cells/<key>-<n>/cell.json, written last.
 FinishedParts finished_cells(const fs::path& out) {
   FinishedParts parts;
   std::error_code error;
@@ -48,7 +48,7 @@ FinishedParts finished_cells(const fs::path& out) {
     const fs::path record = cell->path() / "cell.json";
     if (!fs::exists(record)) continue;
     const auto json = json_of(record);
-    // Of bench and gate; of grade. What a full disk made of a cell is none.
+    // The `status` is from bench and gate, the `end` from grade. A cell that a full disk ended does not count.
     const auto& result = json.contains("result") ? json["result"] : json;
     const std::string end = result.value("status", result.value("end", ""));
     std::string images;

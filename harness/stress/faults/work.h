@@ -1,5 +1,5 @@
-// The works that faults befall: small runs of bench, gate, reference, render and grade, each with what it has done so
-// far, which no fault may take back, and what it comes to, which no fault may change.
+// The works that faults disturb: small runs of bench, gate, reference, render and grade. No fault may undo a work's
+// finished parts or change its result.
 #pragma once
 
 #include <filesystem>
@@ -10,30 +10,30 @@
 
 namespace photonproof::inline harness_stress_faults {
 
-/// Where a work is done.
+/// The files and folders of a work.
 struct WorkPlace {
-  std::filesystem::path program;  ///< photonproof
-  std::filesystem::path inputs;   ///< scenes, suites and submissions, as prepare_works leaves them
-  std::filesystem::path out;      ///< all that the work writes; exists
+  std::filesystem::path program;  ///< The program photonproof.
+  std::filesystem::path inputs;   ///< Scenes, suites and submissions, as prepare_works writes them.
+  std::filesystem::path out;      ///< Receives all that the work writes; exists.
 };
 
-/// Finished parts, by a name that says all they follow from, and the checksum of what they came to.
+/// Finished parts: the name contains all inputs of a part, the value is the checksum of its result.
 using FinishedParts = std::map<std::string, std::string>;
 
 struct Work {
-  std::string name;  ///< "bench"
-  /// Begins, or goes on from what there is.
+  std::string name;  ///< "bench".
+  /// Starts the work, or resumes it.
   std::function<std::vector<std::string>(const WorkPlace&)> command;
   /// The parts that are finished: folders of cells, batches. Throws InputError where a record is damaged.
   std::function<FinishedParts(const WorkPlace&)> finished;
-  /// What the finished work comes to, a line a number, without times. Throws InputError where something is missing.
+  /// The result of the finished work, a line a number, without times. Throws InputError where something is missing.
   std::function<std::string(const WorkPlace&)> result;
 };
 
 /// bench, gate, reference, grade, and render by three integrators.
 const std::vector<Work>& works();
 
-/// Writes what the works need to `inputs`. Throws InputError where the program cannot render their reference.
+/// Writes the works' inputs to `inputs`. Throws InputError where the program cannot render their reference.
 void prepare_works(const std::filesystem::path& program, const std::filesystem::path& inputs);
 
 /// Names of parts that were finished more than once.

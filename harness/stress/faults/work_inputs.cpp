@@ -9,7 +9,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Two cells an engine: from three on one would be rendered once more before, to warm up.
+// Two cells an engine: from three on, bench would add a warm-up render.
 constexpr const char* bench_suite = R"toml(name = "bench"
 title = "Faults"
 
@@ -54,7 +54,7 @@ metric = "bias"
 bound = 0.5
 )toml";
 
-// Both sides are as right, so that nothing has to be diagnosed.
+// Both submissions are equally right, so that nothing has to be diagnosed.
 constexpr const char* course = R"toml(name = "course"
 title = "Faults"
 [build]

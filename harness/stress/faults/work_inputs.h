@@ -1,14 +1,14 @@
-// What the works of the faults read: one scene, two suites, and a course of two submissions.
+// The inputs of the faults' works: one scene, two suites, and a course of two submissions.
 #pragma once
 
 #include <filesystem>
 
 namespace photonproof::inline harness_stress_faults {
 
-/// Pixels of every image but those of `render`.
+/// Pixels of every image except those of `render`.
 inline constexpr int work_width = 16, work_height = 16;
 
-/// All but the scene's reference. The folder exists.
+/// Writes all inputs except the scene's reference. The folder exists.
 void write_work_inputs(const std::filesystem::path& inputs);
 
 }  // namespace photonproof::inline harness_stress_faults

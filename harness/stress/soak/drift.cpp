@@ -14,11 +14,11 @@ namespace {
 
 constexpr double tail = 0.001;
 
-/// Of residuals; 0 where they do not follow each other, or alternate.
+/// Lag-one correlation of residuals; 0 where they do not follow each other, or alternate.
 double lag_one_correlation(std::span<const double> residuals, double squares) {
   double products = 0;
   for (std::size_t i = 1; i < residuals.size(); ++i) products += residuals[i - 1] * residuals[i];
-  constexpr double most = 0.95;  // beyond it a dozen values say nothing of the correlation either
+  constexpr double most = 0.95;  // above this a dozen values cannot show the correlation, either
   return squares > 0 ? std::clamp(products / squares, 0.0, most) : 0;
 }
 

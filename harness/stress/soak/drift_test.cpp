@@ -1,4 +1,4 @@
-// The drift of series whose growth is known: how often it is called what it is.
+// The drift of series whose growth is known: how often the verdict is right.
 
 #include "harness/stress/soak/drift.h"
 
@@ -52,8 +52,8 @@ TEST(Drift, of_few_values_is_unclear) {
   EXPECT_EQ(drift_of({}, 10).verdict, unclear);
 }
 
-// The slope's standard error is 1 / sqrt(25 (25^2 - 1) / 12) = 0.028: a growth of 0.2 is 7 of them, a bound of 0.2,
-// too.
+// The slope's standard error is 1 / sqrt(25 (25^2 - 1) / 12) = 0.028: a growth of 0.2 is 7 of them, and so is a bound
+// of 0.2.
 TEST(Drift, that_is_seen_is_called_and_none_is_not) {
   EXPECT_GE(called(grows, 25, 0.2, 1, 0.01), 990);
   EXPECT_LE(called(grows, 25, 0, 1, 0.01), 3);
@@ -63,7 +63,7 @@ TEST(Drift, that_is_seen_is_called_and_none_is_not) {
 
 TEST(Drift, that_noise_hides_is_unclear) { EXPECT_GE(called(unclear, 25, 0, 1, 0.001), 400); }
 
-// Values that follow each other (correlation 0.7) wander: taken for independent ones, a tenth of them would grow.
+// Values with correlation 0.7 wander: taken as independent, a tenth of them would be called growing.
 TEST(Drift, is_not_called_of_values_that_only_wander) { EXPECT_LE(called(grows, 40, 0, 1, 0.0001, 0.7), 20); }
 
 }  // namespace

@@ -10,7 +10,7 @@
 namespace photonproof::inline harness_stress_soak {
 
 inline constexpr std::array drift_verdict_words{"flat", "grows", "unclear"};
-inline std::span<const char* const> words_of(DriftVerdict) { return drift_verdict_words; }
+inline std::span<const char* const> names_of(DriftVerdict) { return drift_verdict_words; }
 
 template <class V>
 void describe(V& v, SoakSeries& r) {

@@ -1,4 +1,4 @@
-// What a soak found: the record soak.json, and its one line.
+// The result of a soak: the record soak.json, and its one line.
 #pragma once
 
 #include <cstdint>
@@ -12,32 +12,32 @@ namespace photonproof::inline harness_stress_soak {
 
 /// One quantity over the cycles of a soak.
 struct SoakSeries {
-  std::string name;            ///< "peak memory of a render's process"
-  std::string unit;            ///< "bytes"
-  std::vector<double> values;  ///< one a cycle, those left out as warming up included
-  std::size_t warm_up = 0;     ///< cycles that the drift leaves out
-  double bound = 0;            ///< a growth a render that is too small to matter
-  Drift drift{};               ///< a render
+  std::string name;            ///< "peak memory of a render's process".
+  std::string unit;            ///< "bytes".
+  std::vector<double> values;  ///< One a cycle, including the warm-up.
+  std::size_t warm_up = 0;     ///< Cycles that the drift leaves out.
+  double bound = 0;            ///< A growth a render that is too small to matter.
+  Drift drift{};               ///< Growth a render.
 };
 
-/// A scene and a way to render it, and the checksum that its image had every time.
+/// A scene, a way to render it, and the one checksum of all its images.
 struct SoakKind {
   std::string scene, method;
   std::string checksum;
-  std::string refused;  ///< what the program says where it does not render it; such a kind is not repeated
+  std::string refused;  ///< The program's message where it refuses the kind; such a kind is not repeated.
 };
 
 struct SoakRecord {
   std::string created, program, checksum, command, host;
-  std::uint64_t asked = 0;  ///< renders by processes, and as many within one
+  std::uint64_t asked = 0;  ///< Renders by processes, and as many within one.
   std::uint64_t by_processes = 0, within_one = 0;
   std::vector<SoakKind> kinds;
   std::vector<SoakSeries> series;
-  std::vector<std::string> problems;  ///< a sentence each: an image with other bits, a render that failed, a new file
+  std::vector<std::string> problems;  ///< A sentence each: an image with different bits, a failed render, a new file.
   double seconds = 0;
   bool interrupted = false;
 
-  /// grows where a series does or there is a problem; unclear where a series is.
+  /// grows if a series grows or there is a problem; unclear if a series is.
   DriftVerdict verdict() const;
 };
 

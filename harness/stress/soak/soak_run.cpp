@@ -22,18 +22,18 @@ namespace photonproof::inline harness_stress_soak {
 namespace {
 
 namespace fs = std::filesystem;
-constexpr double render_limit = 120;  // seconds; a small one that takes longer hangs
-constexpr double disk_bound = 16;     // bytes a render: times of stats have more digits or fewer
+constexpr double render_limit = 120;  // seconds; a small render that takes longer hangs
+constexpr double disk_bound = 16;     // bytes a render: times in the stats vary in their digits
 constexpr std::size_t most_problems = 20;
 
 struct Render {
   SoakKind kind;
-  std::vector<std::string> arguments;  // of `photonproof render`
+  std::vector<std::string> arguments;  // arguments of `photonproof render`
   fs::path image;
   std::vector<double> peaks;
 };
 
-/// What a folder holds.
+/// The content of a folder.
 struct FolderSize {
   std::set<std::string> files;
   double bytes = 0;
@@ -161,7 +161,7 @@ class Soak {
       double peak = 0;
       for (const Render& render : renders_)
         if (!render.peaks.empty()) peak += render.peaks.back();
-      peaks.push_back(peak);  // of all kinds, so that a step is a cycle
+      peaks.push_back(peak);  // sum over all kinds, so that a step is a cycle
       const FolderSize size = size_of(images_);
       if (cycle == 0) first = size;
       for (const std::string& file : size.files)
@@ -170,13 +170,13 @@ class Soak {
       if (options_.progress) options_.progress(record_.by_processes, 2 * cycles() * rendered_kinds());
     }
     record_.interrupted = is_interrupted();
-    // The first render of a kind may find less of its libraries in memory than the others.
+    // The first render of a kind may find less of its libraries in memory than later ones.
     add_series("peak memory of processes", peaks, std::min<std::size_t>(1, peaks.size()), options_.memory_bound,
                1.0 / static_cast<double>(std::max<std::size_t>(rendered_kinds(), 1)));
     add_series("disk", disk, std::min<std::size_t>(1, disk.size()), disk_bound, 1);
   }
 
-  /// `share`: of a cycle's value, what is one render's. Growth and bound are a render, a step is a cycle.
+  /// `share`: the part of a cycle's value that one render has. Growth and bound are a render, a step is a cycle.
   void add_series(const std::string& name, const std::vector<double>& values, std::size_t warm_up, double bound,
                   double share) {
     const auto kinds = static_cast<double>(std::max<std::size_t>(rendered_kinds(), 1));
@@ -189,7 +189,7 @@ class Soak {
     record_.series.push_back(std::move(series));
   }
 
-  /// The renders of the second half, and how many cycles.
+  /// Writes the renders of the second half and the number of cycles.
   void write_job() const {
     nlohmann::ordered_json job = {{"cycles", cycles()},
                                   {"renders", nlohmann::ordered_json::array()},

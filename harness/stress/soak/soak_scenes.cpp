@@ -13,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Of the stress test's features, those that between them need every kind of table and hierarchy.
+/// The features of the stress test that together need every kind of table and hierarchy.
 constexpr std::array wanted{"light mesh", "bsdf dielectric", "texture bitmap", "light envmap", "medium homogeneous"};
 
 }  // namespace

@@ -1,5 +1,5 @@
-// The small scenes that a soak renders again and again: between them they make the renderer build meshes, textures,
-// environments, media, photon maps, caches and both ways to trace rays.
+// The small scenes that a soak renders again and again. Together they make the renderer build meshes, textures,
+// environments, media, photon maps, caches and both ray tracing structures.
 #pragma once
 
 #include <filesystem>
@@ -13,7 +13,7 @@ struct SoakScene {
   std::filesystem::path file;
 };
 
-/// Writes them, with what they need, to a folder that exists.
+/// Writes the scenes with their files to an existing folder.
 std::vector<SoakScene> write_soak_scenes(const std::filesystem::path& folder);
 
 }  // namespace photonproof::inline harness_stress_soak

@@ -1,4 +1,4 @@
-// The program soaks itself for a little while; and what leaks, leaves files or changes its mind is called that.
+// The program soaks itself for a short time. Programs that leak, leave files or change their images are found.
 
 #include <gtest/gtest.h>
 
@@ -19,7 +19,7 @@ using Json = nlohmann::ordered_json;
 
 class Soak : public FolderTest {
  protected:
-  /// `more` befalls every render after it: $n is its number, $image its EXR.
+  /// `more` runs after every render: $n is its number, $image its EXR.
   ProcessOutcome soak_with(const std::string& more, const std::string& renders = "24") const {
     put("program", "#!/bin/sh\n" PHOTONPROOF_BINARY " \"$@\" || exit $?\nimage=$4\necho >>" +
                        (folder_ / "calls").string() + "\nn=$(wc -l <" + (folder_ / "calls").string() + ")\n" + more +
@@ -45,7 +45,7 @@ TEST_F(Soak, of_a_sound_program_is_flat_in_every_quantity_and_in_its_bits) {
   ASSERT_EQ(json["series"].size(), 4u);
   for (const Json& series : json["series"]) {
     EXPECT_EQ(series["verdict"], "flat") << series;
-    EXPECT_EQ(series["values"].size(), 10u) << series;  // 4 kinds a cycle: path renders no medium
+    EXPECT_EQ(series["values"].size(), 10u) << series;  // 4 kinds a cycle: path does not render the medium
   }
   std::size_t refused = 0;
   for (const Json& kind : json["kinds"]) refused += kind.contains("refused") ? 1 : 0;
@@ -60,7 +60,7 @@ TEST_F(Soak, finds_other_bits_and_a_file_that_was_not_there) {
             std::string::npos);
 }
 
-// A process beside the render's that needs a megabyte more each time, and a file that grows by a hundred bytes.
+// A process beside the render's needs a megabyte more each time, and a file grows by a hundred bytes.
 TEST_F(Soak, finds_memory_and_disk_that_grow) {
   const ProcessOutcome outcome = soak_with(
       "head -c $((80000000 + n * 1000000)) /dev/zero | tail -n 1 | wc -c >/dev/null\n"
@@ -91,7 +91,7 @@ TEST_F(Soak, within_one_process_sees_what_is_not_given_back) {
   EXPECT_FALSE(samples.contains("other_bits"));
 }
 
-// Users are offered what is about their engines.
+// The program offers users only verbs about their engines.
 TEST_F(Soak, is_no_verb_of_the_program) {
   for (const char* trial : {"soak", "faults"}) {
     const ProcessOutcome outcome = run_process({PHOTONPROOF_BINARY, trial, "-o", folder_ / "out"});

@@ -20,7 +20,7 @@ double resident_bytes() {
   return resident * static_cast<double>(sysconf(_SC_PAGESIZE));
 }
 
-/// What malloc has given out and not got back, large blocks included.
+/// The bytes that malloc has allocated and that are not freed, large blocks included.
 double heap_bytes() {
   const auto info = mallinfo2();
   return static_cast<double>(info.uordblks) + static_cast<double>(info.hblkhd);
@@ -43,14 +43,14 @@ void soak_within(const std::filesystem::path& folder,
       render(renders[i]);
       checksums.push_back(file_checksum(images[i]));
     }
-    // Before the record itself grows.
+    // Measured before the record itself grows.
     const double heap = heap_bytes(), resident = resident_bytes();
-    // Of the first cycle, and of later ones what differs: the record must not be what grows.
+    // Keeps the first cycle's checksums, and later ones only if they differ: the record itself must not grow.
     if (cycle == 0) samples["checksums"] = checksums;
     if (checksums != samples["checksums"]) samples["other_bits"] = {{"cycle", cycle}, {"checksums", checksums}};
     samples["heap"].push_back(heap);
     samples["resident"].push_back(resident);
-    std::fprintf(stderr, ".");  // a cycle, to whoever watches
+    std::fprintf(stderr, ".");  // one for each cycle, as progress
   }
   write_file_atomically(folder / "within-samples.json", json_text(samples) + "\n");
 }

@@ -35,9 +35,9 @@ class VerbCycles : public FolderTest {
                         "-o", path("out.exr"), "--spp", "3", "--seed", "5", "--json"});
   }
 
-  void expect_end(const ProcessOutcome& outcome, int exit_code, const std::string& said) const {
+  void expect_end(const ProcessOutcome& outcome, int exit_code, const std::string& message) const {
     EXPECT_EQ(outcome.exit_code, exit_code) << outcome.standard_error;
-    EXPECT_EQ(last_line(outcome.standard_error), said);
+    EXPECT_EQ(last_line(outcome.standard_error), message);
     EXPECT_FALSE(has("out.exr"));
     EXPECT_FALSE(has("out.stats.json"));
   }

@@ -3,8 +3,8 @@
 #include "config.h"
 #include "noise.h"
 
-// Everything below is in the water's own coordinates: x and y from -1 to 1 along the half-edges, z along `up`.
-// A ray's t is the same there as in the world.
+// The code below uses the water's own coordinates: x and y from -1 to 1 along the half-edges, z along `up`. A ray's t
+// is the same in them as in the world.
 
 double DisplacedSurface::height(int column, int row) const {
   double x = 2.0 * column / water_.columns - 1, y = 2.0 * row / water_.rows - 1;
@@ -75,7 +75,7 @@ bool DisplacedSurface::intersect(const Ray& ray, Intersection* hit) const {
   clip(local.origin.z, local.direction.z, 1.2, &near, &far);
   if (near > far) return false;
 
-  // From cell to cell along the ray.
+  // Walks from cell to cell along the ray.
   Vec3 entry = local.at(near);
   int column = std::min(std::max(int((entry.x + 1) / 2 * w.columns), 0), w.columns - 1);
   int row = std::min(std::max(int((entry.y + 1) / 2 * w.rows), 0), w.rows - 1);
@@ -84,7 +84,7 @@ bool DisplacedSurface::intersect(const Ray& ray, Intersection* hit) const {
     double t;
     Vec3 n;
     if (intersect_cell(local, column, row, &t, &n)) {
-      // Gradients go over to the world by the inverse transposed: cross products of the other two axes.
+      // The inverse transposed transform takes gradients to the world: cross products of the other two axes.
       Vec3 world = cross(w.b, w.up) * n.x + cross(w.up, w.a) * n.y + cross(w.a, w.b) * n.z;
       if (dot(w.up, cross(w.a, w.b)) < 0) world = -world;
       set_hit(ray, t, normalized(world), hit);

@@ -18,7 +18,7 @@ static std::string ppm(int width, int height, const std::vector<Vec3>& picture) 
   return bytes;
 }
 
-// 24 bits a pixel, blue first, the bottom row first, rows of a multiple of four bytes.
+// 24 bits a pixel, blue first, the bottom row first, rows padded to a multiple of four bytes.
 static std::string bmp(int width, int height, const std::vector<Vec3>& picture) {
   unsigned row = (3 * width + 3) / 4 * 4, size = row * height;
   std::string bytes = "BM";

@@ -28,7 +28,7 @@ void IrradianceCache::add_up(std::shared_ptr<Node> node, Vec3 position, Vec3 nor
     *sum += record.irradiance * weight;
     *weights += weight;
   }
-  // No record reaches farther than the greatest spacing.
+  // No record reaches farther than the maximum spacing.
   double reach = CACHE_MAX_SPACING * CACHE_TOLERANCE;
   for (int i = 0; i < 8; ++i) {
     bool wanted = true;

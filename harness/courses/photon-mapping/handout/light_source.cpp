@@ -4,7 +4,7 @@
 #include "random.h"
 #include "raytracer.h"
 
-// A square sends out pi * radiance from each unit of its area; it is made of half-edges.
+// A square emits pi * radiance from each unit of its area; its area comes from its half-edges.
 Vec3 LightSource::flux() const {
   return square_->material().radiance * PI * 4 * length(cross(square_->a(), square_->b()));
 }
@@ -27,7 +27,7 @@ void LightSource::build_global_map(int photons) {
       if (hit.material.kind == MaterialKind::diffuse) {
         if (!hit.front) break;
         global_map_.store({hit.position, hit.normal, power});
-        // The photon goes on with the chance that the power it would have left gives it.
+        // The photon survives with a probability equal to the share of power that it would keep.
         Vec3 left = power * hit.material.colour;
         double chance = largest(left) / largest(power);
         if (random_unit() >= chance) break;
@@ -103,7 +103,7 @@ Vec3 LightSource::gather(const Intersection& hit, double* distance) const {
   return sum * PI / (GATHER_PHI * GATHER_THETA);
 }
 
-// What comes along a ray from diffuse surfaces; *distance is to whatever the ray meets first.
+// Radiance along a ray from diffuse surfaces; *distance is that of the first surface on the ray.
 Vec3 LightSource::gathered_radiance(Ray ray, double* distance) const {
   Vec3 weight{1, 1, 1};
   *distance = 1e30;
@@ -117,7 +117,7 @@ Vec3 LightSource::gathered_radiance(Ray ray, double* distance) const {
       return weight * hit.material.colour * arrives / PI;
     }
     if (!scene_->scatter_photon(hit, &ray, &weight)) return {};
-    // Light is squeezed into fewer directions where it is slower: its radiance grows, and its power does not.
+    // Light enters fewer directions where it is slower: its radiance grows, and its power does not.
     if (hit.material.kind == MaterialKind::glass && (dot(ray.direction, hit.normal) < 0) == hit.front)
       weight = weight * (hit.front ? 1 / std::pow(hit.material.ior, 2) : std::pow(hit.material.ior, 2));
   }

@@ -1,8 +1,8 @@
-// A square lamp that sends out photons. Its light on a point of a surface has three parts:
-//   direct   straight from the lamp: shadow rays to places on it
-//   caustic  by mirrors and glass, and then here: the caustic photon map
-//   global   by another diffuse surface, in whatever way: rays to all sides (final gather), where they end the global
-//            photon map; at few points, the irradiance cache interpolates between them
+// A square light that emits photons. Its light on a point of a surface has three parts:
+//   direct   straight from the light: shadow rays to points on it
+//   caustic  last by mirrors and glass: the caustic photon map
+//   global   last by another diffuse surface: rays to all sides (final gather), which end in the
+//            global photon map; the irradiance cache interpolates between few gathers
 #pragma once
 
 #include <memory>
@@ -15,7 +15,7 @@ class Raytracer;
 
 class LightSource {
  public:
-  /// Of a square whose material is a light. `scene` has the objects; it outlives the lamp.
+  /// The square's material is a light. `scene` has the objects; it outlives the light.
   LightSource(std::shared_ptr<Square> square, const Raytracer* scene) : square_(square), scene_(scene) {}
 
   void build_global_map(int photons);

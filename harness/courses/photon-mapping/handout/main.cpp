@@ -1,4 +1,4 @@
-// Reads the command line, builds the scene, and has it rendered: nothing more, so that another main can take its place.
+// Reads the command line, builds the scene and renders it, and does no more, so that another main can take its place.
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>

@@ -1,4 +1,4 @@
-// Photons where they landed, in a kd-tree (Jensen 1996), and the nearest of them.
+// Photons at the points where they landed, in a kd-tree (Jensen 1996), with a search for the nearest ones.
 #pragma once
 
 #include <memory>
@@ -21,7 +21,7 @@ class PhotonMap {
   /// the one at this position, with this normal.
   std::vector<Photon> nearest(Vec3 position, Vec3 normal, int count, double radius) const;
 
-  /// Their power by the area that they landed on.
+  /// Irradiance: the photons' power divided by the area on which they landed.
   Vec3 irradiance(Vec3 position, Vec3 normal, int count, double radius) const;
 
  private:

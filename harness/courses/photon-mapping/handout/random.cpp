@@ -2,7 +2,7 @@
 
 static unsigned long long state = 1;
 
-// Stirs 64 bits well (Steele, Lea and Flood 2014).
+// Mixes 64 bits well (Steele, Lea and Flood 2014).
 static unsigned long long stirred(unsigned long long z) {
   z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ull;
   z = (z ^ (z >> 27)) * 0x94d049bb133111ebull;

@@ -1,4 +1,4 @@
-// Random numbers. All of a run come from one sequence, which --seed chooses.
+// Random numbers. A run takes all of them from one sequence, which --seed chooses.
 #pragma once
 
 #include "vec.h"

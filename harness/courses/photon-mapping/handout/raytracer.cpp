@@ -93,7 +93,7 @@ Vec3 Raytracer::trace(const Ray& ray, int depth) {
       double share = reflected_share(ray, hit, &through);
       Vec3 sum = share * trace({hit.position, mirrored(ray.direction, hit.normal)}, depth + 1);
       if (share < 1) {
-        // Light is squeezed into fewer directions where it is slower, so its radiance grows.
+        // Light enters fewer directions where it is slower, so its radiance grows.
         double squeezed = std::pow(hit.front ? 1 / hit.material.ior : hit.material.ior, 2);
         sum += hit.material.colour * trace({hit.position, through}, depth + 1) * ((1 - share) * squeezed);
       }
@@ -110,7 +110,7 @@ void Raytracer::build_maps() {
   }
 }
 
-// Through the middle of a pixel.
+// The ray through the middle of a pixel.
 Ray Raytracer::camera_ray(int x, int y, int width, int height) const {
   int full_width = camera.full_width ? camera.full_width : width;
   int full_height = camera.full_height ? camera.full_height : height;
@@ -137,7 +137,7 @@ std::vector<Vec3> Raytracer::render_dots(int width, int height, bool caustics) {
     for (int x = 0; x < width; ++x) {
       Intersection hit;
       Vec3 sum;
-      // About as far as the next pixel.
+      // About half the distance between pixels at the middle of the room.
       double reach = length(camera.position) / height / 2;
       if (intersect(camera_ray(x, y, width, height), &hit))
         for (std::shared_ptr<LightSource> light : lights_)

@@ -1,4 +1,4 @@
-// A scene, and how it is seen.
+// A scene with its camera, and the renderer.
 #pragma once
 
 #include <memory>
@@ -24,19 +24,19 @@ class Raytracer {
   // --- what a scene is built with ---
   void add(std::shared_ptr<SceneObject> object);
   void add_light(std::shared_ptr<Square> square);
-  void add_water(std::shared_ptr<SceneObject> water);  ///< caustics get more photons, and finer
+  void add_water(std::shared_ptr<SceneObject> water);  ///< caustics get more photons and a smaller radius
   void build_scene(int number);                        ///< 1 to 3: scenes.cpp
   void build_scene_file(const std::string& name);      ///< scene_file.cpp
   Camera camera;
   Parts parts;
-  int caustic_photons;    ///< of each lamp
-  double caustic_radius;  ///< of a look-up
+  int caustic_photons;    ///< of each light
+  double caustic_radius;  ///< of a radiance estimate
 
   // --- how it is seen ---
   Raytracer();
   /// width * height colours, the top row first.
   std::vector<Vec3> render(int width, int height);
-  /// The photons of the global maps, or of the caustic ones, as dots of what they brought.
+  /// The photons of the global maps, or of the caustic ones, as dots with their power.
   std::vector<Vec3> render_dots(int width, int height, bool caustics);
 
   // --- rays ---

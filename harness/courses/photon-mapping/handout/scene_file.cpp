@@ -1,4 +1,4 @@
-// Reads a scene from a file; README.md says how one is written.
+// Reads a scene from a file in the format of README.md.
 #include <fstream>
 #include <sstream>
 #include <stdexcept>

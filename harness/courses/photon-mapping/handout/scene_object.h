@@ -1,4 +1,4 @@
-// What a scene is made of. Each kind of object has its own file, and its own way to meet a ray.
+// The parts of a scene. Each kind of object has its own file and its own intersection with a ray.
 #pragma once
 
 #include "vec.h"
@@ -7,9 +7,9 @@ enum class MaterialKind { diffuse, mirror, glass, light };
 
 struct Material {
   MaterialKind kind = MaterialKind::diffuse;
-  Vec3 colour{0.7, 0.7, 0.7};  ///< share of light that is reflected; of glass, that passes each border
+  Vec3 colour{0.7, 0.7, 0.7};  ///< share of light that is reflected; of glass, that passes each interface
   double ior = 1;              ///< of glass: index of refraction behind the surface
-  Vec3 radiance;               ///< of a light: what its front sends out
+  Vec3 radiance;               ///< of a light: what its front emits
 };
 
 struct Ray {

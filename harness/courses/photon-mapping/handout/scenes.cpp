@@ -11,7 +11,7 @@ static Material diffuse(Vec3 colour) { return {MaterialKind::diffuse, colour, 1,
 static Material mirror() { return {MaterialKind::mirror, {0.7, 0.7, 0.7}, 1, {}}; }
 static Material glass() { return {MaterialKind::glass, {0.89, 0.89, 0.89}, 1.8, {}}; }
 
-// The room, 100 wide and closed on all sides, and its lamp. The camera is outside; its rays start inside.
+// The room, 100 wide and closed on all sides, and its light. The camera is outside; its rays start inside.
 static void add_room(Raytracer* scene, Vec3 left, Vec3 right) {
   Material grey = diffuse({0.7, 0.7, 0.7});
   Vec3 x{50, 0, 0}, y{0, 50, 0}, z{0, 0, 50};

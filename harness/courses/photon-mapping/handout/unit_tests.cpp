@@ -1,4 +1,4 @@
-// make test: what of the program is right. Add your own.
+// make test: tests of parts of the program. Add your own.
 #include <cstdio>
 #include <fstream>
 
@@ -20,7 +20,7 @@ static void expect_near(const char* what, double found, double expected, double 
 }
 
 static void test_random() {
-  // The numbers of two seeds have nothing to do with each other, at any distance.
+  // The numbers of two seeds are independent of each other, at any distance.
   std::vector<double> first(200);
   seed_random(1);
   for (double& value : first) value = random_unit();
@@ -77,7 +77,7 @@ static void test_photon_map() {
     if (length(found[i].position - Vec3{5, 5, 0}) < length(found[i - 1].position - Vec3{5, 5, 0}))
       expect_near("photons in their order", 0, 1, 0);
   expect_near("photons of the other side", double(map.nearest({5, 5, 0}, {0, 0, -1}, 30, 9).size()), 0, 0);
-  // 2000 photons of 0.1 on 100 units of area; about 1250 are looked up, so a deviation is 3 %.
+  // 2000 photons of 0.1 on 100 units of area; the estimate uses about 1250, so its deviation is 3 %.
   expect_near("irradiance", map.irradiance({5, 5, 0}, {0, 0, 1}, 5000, 4.5).y, 2, 0.25);
 }
 
@@ -92,8 +92,8 @@ static void test_cache() {
   expect_near("a cache knows what is far", cache.interpolate({near * 1.5, 0, 0}, {0, 1, 0}, &irradiance), 0, 0);
 }
 
-// The lamp's light on the floor's middle: a square of half-side s, at a height of h, parallel and right above, has the
-// form factor 4 s/r atan(s/r) 2 / (2 pi), r = sqrt(s^2 + h^2), towards a small patch (Howell, a catalogue of factors).
+// Light on the middle of the floor. A parallel square of half-side s, h above a small patch, has the form factor 4 s/r
+// atan(s/r) 2 / (2 pi). Here r = sqrt(s^2 + h^2) (Howell, a catalogue of factors).
 static void test_direct_light() {
   Raytracer scene;
   Material lamp{MaterialKind::light, {}, 1, {2, 2, 2}};

@@ -1,5 +1,5 @@
-// The parameters of the grading, written over every submission's own. Chosen so that the handed-out program renders
-// scene 1 at 64x64 in about two seconds and scene 2 in about four, with little enough noise to see what is wrong.
+// The parameters of the grading, written over every submission's own. With them the handout renders scene 1 at 64x64 in
+// about two seconds and scene 2 in about four, with so little noise that mistakes are visible.
 #pragma once
 
 #define GLOBAL_PHOTONS 5000

@@ -4,7 +4,7 @@
 
 #include "config.h"
 
-static const double root_half = 4096;  // what lies outside is kept at the root, where it is found too
+static const double root_half = 4096;  // records outside stay at the root, where they are found too
 
 static Vec3 child_center(Vec3 center, double half, int i) {
   double q = half / 2;

@@ -1,4 +1,4 @@
-// The irradiance cache that threads share: an octree, a record in the nodes of its size that it reaches.
+// The irradiance cache shared by threads: an octree with each record in the nodes of its size that it reaches.
 #pragma once
 
 #include <memory>

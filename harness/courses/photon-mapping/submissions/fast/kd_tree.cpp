@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <thread>
 
-// A range's middle is its node; what is below and above lies before and after.
+// The middle of a range is its node; points below and above it are before and after it.
 static void arrange(Photon* first, Photon* last, int threads) {
   if (last - first < 2) {
     if (last > first) first->axis = 0;
@@ -50,7 +50,7 @@ struct Near {
 struct Search {
   float position[3], normal[3];
   float flat;  // greatest distance from the tangent plane
-  float d2;    // nothing as far as this is wanted
+  float d2;    // photons at this distance are not needed
   int wanted;
   int found = 0;
   Near* near;  // a heap with the farthest on top, once it is full
@@ -109,7 +109,7 @@ Vec3 KdTree::irradiance(Vec3 position, Vec3 normal, int count, double radius) co
   if (int(near.size()) < count) near.resize(count);
   Search search = start(position, normal, count, radius, near.data());
   search.visit(photons_.data(), photons_.data() + photons_.size());
-  // The farthest of enough only says how far the others reach.
+  // The farthest photon only limits the radius of the others.
   Vec3 sum;
   for (int i = search.found == count ? 1 : 0; i < search.found; ++i) {
     const float* power = near[i].photon->power;

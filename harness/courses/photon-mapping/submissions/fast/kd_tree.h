@@ -20,7 +20,7 @@ inline Photon make_photon(Vec3 p, Vec3 n, Vec3 power) {
 class KdTree {
  public:
   void build(std::vector<Photon> photons);
-  /// Of at most `count` photons within `radius`: their power by the area that they landed on.
+  /// Irradiance of at most `count` photons within `radius`: their power divided by the area on which they landed.
   Vec3 irradiance(Vec3 position, Vec3 normal, int count, double radius) const;
   const Photon* nearest(Vec3 position, Vec3 normal, double radius) const;
 

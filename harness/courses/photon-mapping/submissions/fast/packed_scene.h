@@ -1,5 +1,4 @@
-// The scene as rays meet it: arrays of rectangles, balls and grids of heights; no virtual calls, nothing computed
-// twice.
+// The scene as arrays of rectangles, balls and grids of heights for rays; no virtual calls, no repeated computations.
 #pragma once
 
 #include <vector>
@@ -17,8 +16,8 @@ struct Hit {
   Vec3 position, normal;
   bool front = true;
   const Material* material = nullptr;
-  int rectangle = -1;   ///< which, if it is one
-  double u = 0, v = 0;  ///< where on it, -1 to 1
+  int rectangle = -1;   ///< index of the rectangle, if it is one
+  double u = 0, v = 0;  ///< position on it, -1 to 1
 };
 
 struct Lamp {

@@ -1,4 +1,4 @@
-// A scene while it is built; Renderer (render.h) has it rendered.
+// A scene during its construction; Renderer (render.h) renders it.
 #pragma once
 
 #include <memory>

@@ -21,7 +21,7 @@ Renderer::Renderer(const PackedScene& scene, const std::vector<Lamp>& lamps, boo
   }
 }
 
-// What glass reflects of a ray (Fresnel), and the way of what goes through.
+// The share of a ray that glass reflects (Fresnel), and the direction of the transmitted part.
 static double reflected_share(const Ray& ray, const Hit& hit, Vec3* through) {
   Vec3 n = hit.front ? hit.normal : -hit.normal;
   double ratio = hit.front ? 1 / hit.material->ior : hit.material->ior;

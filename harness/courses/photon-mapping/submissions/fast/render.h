@@ -1,4 +1,4 @@
-// Photon maps, and the light that they, shadow rays and final gathers find.
+// Photon maps, and the light found by them, by shadow rays and by final gathers.
 #pragma once
 
 #include <atomic>
@@ -21,8 +21,8 @@ class Renderer {
   const KdTree& caustic_map() const { return caustic_map_; }
 
  private:
-  // Irradiance by the global map on a lattice of a diffuse rectangle, made where it is first asked for. A thread that
-  // comes second makes the same value.
+  // Irradiance by the global map on a lattice of a diffuse rectangle, computed on first use. A second thread computes
+  // the same value.
   struct LightMap {
     int columns = 0, rows = 0;
     std::unique_ptr<std::atomic<bool>[]> known;

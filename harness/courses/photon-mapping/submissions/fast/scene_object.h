@@ -1,4 +1,4 @@
-// Objects as scenes say them. They are packed before anything is rendered: packed_scene.h.
+// Objects as in scene files. They are packed before rendering: packed_scene.h.
 #pragma once
 
 #include "vec.h"

@@ -1,4 +1,4 @@
-// Work for all cores.
+// Runs work on all cores.
 #pragma once
 
 #include <algorithm>

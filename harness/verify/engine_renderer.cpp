@@ -1,4 +1,4 @@
-#include "harness/verify/studio.h"
+#include "harness/verify/engine_renderer.h"
 
 #include <algorithm>
 #include <cmath>
@@ -33,7 +33,7 @@ double next_samples(double had, double seen, double power, double spent, double 
 }
 
 /// What is asked for, or what POV-Ray was found to need of the scene.
-double quality_of(const StudioScene& scene, const VerifyEngine& engine, double asked) {
+double quality_of(const RenderedScene& scene, const VerifyEngine& engine, double asked) {
   const bool is_measured = engine.row.name == "povray" && scene.expect && scene.expect->povray;
   return is_measured ? std::max<double>(asked, scene.expect->povray->quality) : asked;
 }
@@ -49,7 +49,7 @@ bool is_refusal(const Result& result, const VerifyEngine& engine) {
          (engine.is_ours && result.status == Status::crash && result.detail.starts_with("exited with 2"));
 }
 
-ImageSourceOptions source_options(const StudioOptions& options) {
+ImageSourceOptions source_options(const EngineRendererOptions& options) {
   ImageSourceOptions source{.use = ImageUse::estimate, .folder = options.folder, .program = options.program};
   source.suite_folder = options.rows.empty() ? fs::path(".") : fs::absolute(options.rows).parent_path();
   source.limits.threads = options.threads;
@@ -62,7 +62,7 @@ ImageSourceOptions source_options(const StudioOptions& options) {
   return source;
 }
 
-StudioOptions with_threads(StudioOptions options) {
+EngineRendererOptions with_threads(EngineRendererOptions options) {
   if (options.threads == 0) options.threads = describe_host().cores;
   return options;
 }
@@ -97,10 +97,11 @@ DeclaredError declared_error(const VerifyEngine& engine, const std::optional<Exp
   return declared;
 }
 
-Studio::Studio(StudioOptions options) : options_(with_threads(std::move(options))), source_(source_options(options_)) {}
+EngineRenderer::EngineRenderer(EngineRendererOptions options)
+    : options_(with_threads(std::move(options))), source_(source_options(options_)) {}
 
-KeptImage Studio::image(const StudioScene& scene, const VerifyEngine& engine, const Budget& budget,
-                        std::uint64_t seed) const {
+KeptImage EngineRenderer::image(const RenderedScene& scene, const VerifyEngine& engine, const Budget& budget,
+                                std::uint64_t seed) const {
   SuiteScene row;
   row.name = scene.name;
   row.path = scene.file;
@@ -112,9 +113,9 @@ KeptImage Studio::image(const StudioScene& scene, const VerifyEngine& engine, co
   return *std::move(image);
 }
 
-Shot Studio::shoot_samples(const StudioScene& scene, const VerifyEngine& engine, int series) const {
+EngineRender EngineRenderer::render_samples(const RenderedScene& scene, const VerifyEngine& engine, int series) const {
   std::vector<PictureOfSamples> parts;
-  Shot shot;
+  EngineRender render;
   EnginePicture picture;
   picture.engine = engine.row.name;
   double samples = options_.first_samples;  // of the next picture
@@ -140,7 +141,7 @@ Shot Studio::shoot_samples(const StudioScene& scene, const VerifyEngine& engine,
     picture.losses = std::move(stats.losses);
     picture.cannot_find = std::move(stats.cannot_find);
     bias = std::max(bias, stated_bias(result));
-    shot.command = result.command;
+    render.command = result.command;
     picture.seconds += result.wall_seconds.value_or(0);
     // By processor time, so that a busy machine asks for the same pictures.
     spent += result.cpu_seconds.value_or(0) / options_.threads;
@@ -160,11 +161,11 @@ Shot Studio::shoot_samples(const StudioScene& scene, const VerifyEngine& engine,
   const double had = samples_of(parts);
   picture.samples = engine.counts_samples() ? static_cast<std::uint64_t>(had) : 0;
   picture.declared = declared_error(engine, scene.expect, bias);
-  shot.picture = std::move(picture);
-  return shot;
+  render.picture = std::move(picture);
+  return render;
 }
 
-Shot Studio::shoot(const StudioScene& scene, const VerifyEngine& engine, int series) const {
+EngineRender EngineRenderer::render(const RenderedScene& scene, const VerifyEngine& engine, int series) const {
   if (engine.version.problem) return {std::nullopt, engine.version.cells_end_as, *engine.version.problem, ""};
   if (scene.expect)
     if (const auto why = scene.expect->unsupported.find(engine.row.name); why != scene.expect->unsupported.end())
@@ -172,7 +173,7 @@ Shot Studio::shoot(const StudioScene& scene, const VerifyEngine& engine, int ser
   if (scene.description != nullptr)
     if (const std::string why = what_is_not_shown(engine.sampling, *scene.description); !why.empty())
       return {std::nullopt, Status::unsupported, why, ""};
-  return shoot_samples(scene, engine, series);
+  return render_samples(scene, engine, series);
 }
 
 }  // namespace photonproof::inline harness_verify

@@ -20,7 +20,7 @@
 
 namespace photonproof::inline harness_verify {
 
-struct StudioOptions {
+struct EngineRendererOptions {
   std::filesystem::path folder;   ///< exists; receives cells/
   std::filesystem::path program;  ///< this one
   std::filesystem::path rows;     ///< the file with further engines, whose folder is {suite}
@@ -37,7 +37,7 @@ struct StudioOptions {
 struct VerifyInterrupted {};
 
 /// A scene as verify renders it.
-struct StudioScene {
+struct RenderedScene {
   std::string name;
   std::filesystem::path file;
   std::string content;  ///< its hash
@@ -47,28 +47,29 @@ struct StudioScene {
   std::optional<FilmPart> crop{};                 ///< the part that engines render; empty: all of it
 };
 
-struct Shot {
+struct EngineRender {
   std::optional<EnginePicture> picture;
   Status status = Status::ok;  ///< where there is no picture, why
   std::string detail;
   std::string command;  ///< of the last process, as one would type it
 };
 
-class Studio {
+class EngineRenderer {
  public:
-  explicit Studio(StudioOptions options);
+  explicit EngineRenderer(EngineRendererOptions options);
 
   /// `series`: 0, and 1 for pictures by other random numbers. Throws VerifyInterrupted, and InputError when the results
   /// folder cannot be written.
-  Shot shoot(const StudioScene& scene, const VerifyEngine& engine, int series = 0) const;
+  EngineRender render(const RenderedScene& scene, const VerifyEngine& engine, int series = 0) const;
 
-  const StudioOptions& options() const { return options_; }
+  const EngineRendererOptions& options() const { return options_; }
 
  private:
-  KeptImage image(const StudioScene& scene, const VerifyEngine& engine, const Budget& budget, std::uint64_t seed) const;
-  Shot shoot_samples(const StudioScene& scene, const VerifyEngine& engine, int series) const;
+  KeptImage image(const RenderedScene& scene, const VerifyEngine& engine, const Budget& budget,
+                  std::uint64_t seed) const;
+  EngineRender render_samples(const RenderedScene& scene, const VerifyEngine& engine, int series) const;
 
-  StudioOptions options_;
+  EngineRendererOptions options_;
   mutable ImageSource source_;
 };
 

@@ -1,4 +1,4 @@
-#include "harness/stress/faults/victim.h"
+#include "harness/stress/faults/tested_process.h"
 
 #include <fcntl.h>
 #include <spawn.h>
@@ -30,7 +30,7 @@ std::string text_of(const fs::path& file) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-/// Of posix_spawn: files and the group.
+/// Settings of posix_spawn: files and the process group.
 class SpawnSettings {
  public:
   explicit SpawnSettings(const fs::path& folder) {
@@ -61,19 +61,19 @@ class SpawnSettings {
 
 }  // namespace
 
-bool VictimEnd::is_orderly() const {
+bool ProcessEnd::is_orderly() const {
   const bool documented = (code >= 0 && code <= 3) || code == 130;
   return !hung && exited && documented;
 }
 
-std::string VictimEnd::sentence() const {
+std::string ProcessEnd::sentence() const {
   if (hung) return "did not end by itself";
   if (!exited) return std::string("was killed by signal ") + std::to_string(signal) + " (" + strsignal(signal) + ")";
-  const std::string said = last_line(standard_error);
-  return "exited with " + std::to_string(code) + (said.empty() ? "" : ": " + said);
+  const std::string message = last_line(standard_error);
+  return "exited with " + std::to_string(code) + (message.empty() ? "" : ": " + message);
 }
 
-Victim::Victim(const std::vector<std::string>& argv, const fs::path& folder) : folder_(folder) {
+TestedProcess::TestedProcess(const std::vector<std::string>& argv, const fs::path& folder) : folder_(folder) {
   const SpawnSettings settings(folder);
   std::vector<char*> words;
   for (const std::string& word : argv) words.push_back(const_cast<char*>(word.c_str()));
@@ -82,16 +82,16 @@ Victim::Victim(const std::vector<std::string>& argv, const fs::path& folder) : f
   if (problem != 0) throw InputError(argv[0], "cannot be started: " + std::generic_category().message(problem));
 }
 
-Victim::~Victim() {
+TestedProcess::~TestedProcess() {
   if (!end_) end(0);
 }
 
-void Victim::send(int signal_number) const {
+void TestedProcess::send(int signal_number) const {
   if (!end_) kill(pid_, signal_number);
 }
 
-const VictimEnd& Victim::ended_with(int status, bool hung) {
-  VictimEnd end;
+const ProcessEnd& TestedProcess::ended_with(int status, bool hung) {
+  ProcessEnd end;
   end.hung = hung;
   end.exited = WIFEXITED(status);
   end.code = end.exited ? WEXITSTATUS(status) : 0;
@@ -100,7 +100,7 @@ const VictimEnd& Victim::ended_with(int status, bool hung) {
   return end_.emplace(std::move(end));
 }
 
-std::optional<VictimEnd> Victim::wait(double seconds) {
+std::optional<ProcessEnd> TestedProcess::wait(double seconds) {
   if (end_) return end_;
   const Timer timer;
   int status = 0;
@@ -112,7 +112,7 @@ std::optional<VictimEnd> Victim::wait(double seconds) {
   return ended_with(status, false);
 }
 
-VictimEnd Victim::end(double seconds) {
+ProcessEnd TestedProcess::end(double seconds) {
   if (const auto end = wait(seconds)) return *end;
   kill(-pid_, SIGKILL);
   int status = 0;

@@ -1,4 +1,4 @@
-// What a run meets that others do to the machine: a second run on its folder, and a clock that somebody sets.
+// Disturbances of a run by others on the machine: a second run in its folder, and a changed clock.
 
 #include <array>
 #include <filesystem>
@@ -11,16 +11,16 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Of a run that shares its folder.
-bool is_refused(const VictimEnd& end) {
+/// True if a run that shares its folder is refused in an orderly way.
+bool is_refused(const ProcessEnd& end) {
   return end.exited && !end.hung && end.code == 2 && !end.standard_error.empty();
 }
 
-bool has_succeeded(const VictimEnd& end, const Trial& trial) {
+bool has_succeeded(const ProcessEnd& end, const Trial& trial) {
   return end.exited && !end.hung && end.code == trial.undisturbed.exit_code;
 }
 
-/// The library that answers for the clock; Debian's package faketime.
+/// The library that replaces the clock, from Debian's package faketime.
 fs::path faketime_library() {
   for (const char* folder : {"/usr/lib/x86_64-linux-gnu/faketime", "/usr/lib/aarch64-linux-gnu/faketime",
                              "/usr/lib64/faketime", "/usr/lib/faketime"}) {
@@ -36,10 +36,10 @@ TrialResult two_runs_trial(const Trial& trial) {
   const fs::path beside = trial.folder / "second";
   fs::create_directories(beside);
   TrialResult result{1, {}};
-  Victim first(trial.work.command(trial.place), trial.folder);
+  TestedProcess first(trial.work.command(trial.place), trial.folder);
   first.wait(trial.random(0) * trial.undisturbed.seconds);
-  const VictimEnd second_end = Victim(trial.work.command(trial.place), beside).end(patience);
-  const VictimEnd first_end = first.end(patience);
+  const ProcessEnd second_end = TestedProcess(trial.work.command(trial.place), beside).end(patience);
+  const ProcessEnd first_end = first.end(patience);
   const bool succeeded = has_succeeded(first_end, trial) || has_succeeded(second_end, trial);
   for (const auto& [name, end] : {std::pair{"first", &first_end}, {"second", &second_end}})
     if (!has_succeeded(*end, trial) && !is_refused(*end))
@@ -55,16 +55,17 @@ TrialResult clock_jumps_trial(const Trial& trial) {
   const fs::path library = faketime_library();
   const fs::path clock = trial.folder / "clock";
   write_file_atomically(clock, "+0\n");
-  Victim victim(with_environment({"LD_PRELOAD=" + library.string(), "FAKETIME_TIMESTAMP_FILE=" + clock.string(),
-                                  "FAKETIME_NO_CACHE=1", "FAKETIME_DONT_FAKE_MONOTONIC=1", "DONT_FAKE_MONOTONIC=1"},
-                                 trial.work.command(trial.place)),
-                trial.folder);
+  TestedProcess process(
+      with_environment({"LD_PRELOAD=" + library.string(), "FAKETIME_TIMESTAMP_FILE=" + clock.string(),
+                        "FAKETIME_NO_CACHE=1", "FAKETIME_DONT_FAKE_MONOTONIC=1", "DONT_FAKE_MONOTONIC=1"},
+                       trial.work.command(trial.place)),
+      trial.folder);
   std::uint64_t draw = 0;
   for (const char* jump : {"-365d\n", "+3650d\n", "-1d\n"}) {
-    victim.wait(trial.random(draw++) * trial.undisturbed.seconds / 3);
+    process.wait(trial.random(draw++) * trial.undisturbed.seconds / 3);
     write_file_atomically(clock, jump);
   }
-  const VictimEnd end = victim.end(patience);
+  const ProcessEnd end = process.end(patience);
   TrialResult result{1, {}};
   if (!has_succeeded(end, trial)) result.broken = end.sentence();
   if (result.broken.empty() && trial.work.result(trial.place) != trial.undisturbed.result)
