@@ -1,4 +1,4 @@
-// Every calibration probe by Blender's Cycles itself, where it is installed: units, orientations and formulas against
+// Renders every calibration probe with Blender's Cycles, if it is installed: units, orientations and formulas against
 // closed forms.
 
 #include <gtest/gtest.h>
@@ -26,7 +26,7 @@ std::string name_of(const testing::TestParamInfo<std::size_t>& info) {
   return name;
 }
 
-/// What Cycles has no equal of.
+/// Probes without an equivalent in Cycles.
 constexpr std::array kRefused{"sun and sky", "lacquer", "rough plastic", "normal map", "bump map"};
 
 // An unbiased engine's gain is right within 0.3 % and four standard errors, as verify judges it.

@@ -17,10 +17,10 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr double biased_mean = 0.01, biased_block = 0.1;
-constexpr int pictures_without_variance = 8;  // of an engine that says nothing of its noise
+constexpr int pictures_without_variance = 8;  // for an engine without variance
 constexpr std::uint64_t seeds_of_a_series = 1000;
 
-/// The next picture's samples, a power of two, so that a run that goes on asks for the same; 0: enough, or no time.
+/// Samples of the next picture, a power of two, so that a resumed run needs the same pictures; 0: enough, or no time.
 double next_samples(double had, double seen, double power, double spent, double allowed) {
   if (seen <= power || spent >= allowed) return 0;
   const double needed = had * std::pow(seen / power, 2) * 1.1 - had;
@@ -32,7 +32,7 @@ double next_samples(double had, double seen, double power, double spent, double 
   return next >= had / 4 ? next : 0;
 }
 
-/// What is asked for, or what POV-Ray was found to need of the scene.
+/// The requested quality, or POV-Ray's measured need for the scene if that is higher.
 double quality_of(const RenderedScene& scene, const VerifyEngine& engine, double asked) {
   const bool is_measured = engine.row.name == "povray" && scene.expect && scene.expect->povray;
   return is_measured ? std::max<double>(asked, scene.expect->povray->quality) : asked;
@@ -43,7 +43,7 @@ double stated_bias(const Result& result) {
   return found == result.counts.end() ? 0 : found->second;
 }
 
-/// Our programs end with 2 where they cannot render a scene, and say why.
+/// Our programs exit with 2 and a reason if they cannot render a scene.
 bool is_refusal(const Result& result, const VerifyEngine& engine) {
   return result.status == Status::unsupported ||
          (engine.is_ours && result.status == Status::crash && result.detail.starts_with("exited with 2"));
@@ -55,7 +55,7 @@ ImageSourceOptions source_options(const EngineRendererOptions& options) {
   source.limits.threads = options.threads;
   source.limits.seconds = 4 * options.seconds + 120;
   source.limits.memory_mb = 4096;
-  // What was killed or could not be started may do better now.
+  // A killed process, or one that could not start, may succeed now.
   source.reused = {Status::ok, Status::unsupported};
   source.interrupt = options.interrupt;
   if (options.at_work) source.starts = [at_work = options.at_work](const Cell& cell) { at_work(cell.label()); };
@@ -98,7 +98,7 @@ DeclaredError declared_error(const VerifyEngine& engine, const std::optional<Exp
 }
 
 EngineRenderer::EngineRenderer(EngineRendererOptions options)
-    : options_(with_threads(std::move(options))), source_(source_options(options_)) {}
+    : options_(with_threads(std::move(options))), source_(source_options(options_)), copies_(options_.folder) {}
 
 KeptImage EngineRenderer::image(const RenderedScene& scene, const VerifyEngine& engine, const Budget& budget,
                                 std::uint64_t seed) const {
@@ -107,8 +107,9 @@ KeptImage EngineRenderer::image(const RenderedScene& scene, const VerifyEngine& 
   row.path = scene.file;
   row.width = scene.width;
   row.height = scene.height;
+  SceneCopies* copies = scene.has_answers ? &copies_ : nullptr;
   std::optional<KeptImage> image =
-      source_.draw({&engine.row, engine.version.line}, {&row, scene.content, scene.crop}, budget, seed);
+      source_.draw({&engine.row, engine.version.line}, {&row, scene.content, scene.crop, copies}, budget, seed);
   if (!image || (options_.interrupt != nullptr && *options_.interrupt)) throw VerifyInterrupted();
   return *std::move(image);
 }
@@ -119,7 +120,7 @@ EngineRender EngineRenderer::render_samples(const RenderedScene& scene, const Ve
   EnginePicture picture;
   picture.engine = engine.row.name;
   double samples = options_.first_samples;  // of the next picture
-  double spent = 0, bias = 0;               // so far; as the engine states it
+  double spent = 0, bias = 0;               // spent so far; bias stated by the engine
   std::uint64_t seed = 1 + static_cast<std::uint64_t>(series) * seeds_of_a_series;
   const bool takes_seed = mentions(engine.row.command, "{seed}");
   const auto of_engine = [&](const char* kind) { return engine.budget_kind == kind; };
@@ -132,7 +133,7 @@ EngineRender EngineRenderer::render_samples(const RenderedScene& scene, const Ve
       if (parts.empty() || result.status != Status::timeout)
         return {std::nullopt, is_refusal(result, engine) ? Status::unsupported : result.status, result.detail,
                 result.command};
-      break;  // too slow for more
+      break;  // too slow for more samples
     }
     parts.push_back({source_.image_of(result), samples});
     if (const std::string why = why_variance_is_lost(parts.back().rendering.mean); !why.empty())
@@ -143,7 +144,7 @@ EngineRender EngineRenderer::render_samples(const RenderedScene& scene, const Ve
     bias = std::max(bias, stated_bias(result));
     render.command = result.command;
     picture.seconds += result.wall_seconds.value_or(0);
-    // By processor time, so that a busy machine asks for the same pictures.
+    // Processor time, so that a busy machine gives the same pictures.
     spent += result.cpu_seconds.value_or(0) / options_.threads;
     if (!takes_seed || !engine.counts_samples()) break;
     const bool knows_its_noise = parts.front().rendering.variance.has_value();
@@ -152,7 +153,7 @@ EngineRender EngineRenderer::render_samples(const RenderedScene& scene, const Ve
     const double had = samples_of(parts);
     const double next = next_samples(had, would_see_alone(so_far).value_or(0), options_.power / std::sqrt(2.0), spent,
                                      options_.seconds);
-    if (!knows_its_noise && next > 0) break;  // its pictures are of one size
+    if (!knows_its_noise && next > 0) break;  // its pictures have one size
     samples = next;
   }
   EnginePicture pooled = pooled_picture(parts);

@@ -1,6 +1,6 @@
-// Draws engines' pictures of a scene, as many samples as a stated power needs, each a process of its own. What is drawn
-// is kept in the results folder by all that decides it (harness/images/image_source.h), so that a run goes on where an
-// earlier one ended.
+// Renders engines' pictures of a scene with as many samples as a stated power needs, each in a process of its own.
+// Pictures are kept in the results folder by all that decides them (harness/images/image_source.h). So a run continues
+// where an earlier one ended.
 #pragma once
 
 #include <atomic>
@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "harness/cells/scene_copies.h"
 #include "harness/images/image_source.h"
 #include "harness/statistics/pooled_pictures.h"
 #include "harness/suites/suite.h"
@@ -22,18 +23,18 @@ namespace photonproof::inline harness_verify {
 
 struct EngineRendererOptions {
   std::filesystem::path folder;   ///< exists; receives cells/
-  std::filesystem::path program;  ///< this one
-  std::filesystem::path rows;     ///< the file with further engines, whose folder is {suite}
-  double power = 0.02;            ///< an error of the mean of this much is to be seen
-  double seconds = 20;            ///< an engine's pictures of a scene have so long, in processor time a thread
-  double quality = 2;             ///< of engines that know qualities
-  int first_samples = 64;         ///< a pixel, of the first picture
+  std::filesystem::path program;  ///< this program
+  std::filesystem::path rows;     ///< the file with more engines, whose folder is {suite}
+  double power = 0.02;            ///< relative error of the mean to be detected
+  double seconds = 20;            ///< processor time per thread for one engine's pictures of a scene
+  double quality = 2;             ///< for engines with a quality setting
+  int first_samples = 64;         ///< per pixel, of the first picture
   int threads = 0;                ///< of each engine; 0: every core
   const std::atomic<bool>* interrupt = nullptr;
   std::function<void(const std::string& what)> at_work{};
 };
 
-/// Thrown when Ctrl-C ended a process: what it was for is not known.
+/// Thrown when Ctrl-C ended a process, so that its result is unknown.
 struct VerifyInterrupted {};
 
 /// A scene as verify renders it.
@@ -43,23 +44,24 @@ struct RenderedScene {
   std::string content;  ///< its hash
   int width = 0, height = 0;
   std::optional<Expect> expect{};
-  const SceneDescription* description = nullptr;  ///< for what engines cannot show of it; null: unknown
-  std::optional<FilmPart> crop{};                 ///< the part that engines render; empty: all of it
+  const SceneDescription* description = nullptr;  ///< to find what engines cannot show of it; null: unknown
+  std::optional<FilmPart> crop{};                 ///< the rendered part; empty: all of it
+  bool has_answers = false;  ///< its folder may hold references and expectations, so engines get a copy without them
 };
 
 struct EngineRender {
   std::optional<EnginePicture> picture;
-  Status status = Status::ok;  ///< where there is no picture, why
+  Status status = Status::ok;  ///< the reason if there is no picture
   std::string detail;
-  std::string command;  ///< of the last process, as one would type it
+  std::string command;  ///< of the last process, as typed
 };
 
 class EngineRenderer {
  public:
   explicit EngineRenderer(EngineRendererOptions options);
 
-  /// `series`: 0, and 1 for pictures by other random numbers. Throws VerifyInterrupted, and InputError when the results
-  /// folder cannot be written.
+  /// `series` 1 gives pictures with other random numbers than 0. Throws VerifyInterrupted, and InputError when the
+  /// results folder cannot be written.
   EngineRender render(const RenderedScene& scene, const VerifyEngine& engine, int series = 0) const;
 
   const EngineRendererOptions& options() const { return options_; }
@@ -71,13 +73,14 @@ class EngineRenderer {
 
   EngineRendererOptions options_;
   mutable ImageSource source_;
+  mutable SceneCopies copies_;
 };
 
-/// One engine's pictures taken together (pooled_pictures.h). It declares no error.
+/// One engine's pictures, averaged (pooled_pictures.h). It declares no error.
 EnginePicture pooled_picture(const std::vector<PictureOfSamples>& parts);
 
-/// What an engine declares on a scene: nothing where it is unbiased; else by expect.toml, by its own stats, and no less
-/// than what every picture of a biased engine may be off.
+/// An engine's declared error on a scene: none for an unbiased one. Else the largest of expect.toml's, its own stats'
+/// and the allowance for every biased engine.
 DeclaredError declared_error(const VerifyEngine& engine, const std::optional<Expect>& expect, double stated_bias);
 
 }  // namespace photonproof::inline harness_verify

@@ -1,4 +1,4 @@
-// The exposure of every library scene lets the metrics of the displayed image see what is too bright or too dark.
+// Checks that at every library scene's exposure the display metrics detect images that are too bright or too dark.
 
 #include <gtest/gtest.h>
 
@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 
 class ExposureHeadroom : public FolderTest {
  protected:
-  /// Its committed reference, where it has one.
+  /// The scene's committed reference, if it has one.
   Image image_of(const fs::path& scene) const {
     for (const auto& file : fs::directory_iterator(scene.parent_path()))
       if (file.path().filename().string().starts_with("reference-") && file.path().extension() == ".exr")
@@ -42,9 +42,9 @@ double metric(const std::vector<MetricValue>& values, const std::string& name) {
   return 0;
 }
 
-// Of a uniform picture at sRGB 0.8, 20 % more or less are a psnr of 23, an ssim of 0.996 and a flip of 0.23; of dark
-// ones with few bright places less. Where what matters is clipped, a fifth more changes nothing (psnr of equal images
-// is given as 0).
+// In a uniform picture at sRGB 0.8, 20 % more or less is a psnr of 23, an ssim of 0.996 and a flip of 0.23. Dark
+// pictures with few bright places give less. Where the relevant parts are clipped, a fifth more changes nothing (psnr
+// of equal images is given as 0).
 TEST_F(ExposureHeadroom, of_every_library_scene_shows_a_fifth_more_and_less) {
   int scenes = 0;
   for (const auto& entry : fs::directory_iterator(PHOTONPROOF_SOURCE_DIR "/scenes/library")) {

@@ -30,7 +30,8 @@ bool is_black(const EnginePicture& picture) {
   return std::ranges::all_of(picture.rendering.mean.rgb, [](float v) { return v == 0; });
 }
 
-/// Direct light has a trace of what comes by two reflections: off by far less than the whole, it is not what is wrong.
+/// Direct light contains a trace of light after two reflections. If that pass is off by far less than the whole, it is
+/// not the faulty one.
 bool is_a_trace(const std::string& name, const PairTest& pass, const PairTest& whole) {
   constexpr double part = 0.25;
   return name == "direct" && pass.whole_differs && whole.whole_differs &&

@@ -1,4 +1,5 @@
-// Where, by how much and in which pass of light an engine is wrong: against one that is believed.
+// Locates an engine's error against engines that are believed: where in the image, by how much, and in which pass of
+// light.
 #pragma once
 
 #include <string>
@@ -11,7 +12,7 @@
 
 namespace photonproof::inline harness_verify {
 
-/// What is compared.
+/// A picture under suspicion, with its engine.
 struct Suspect {
   const VerifyEngine& engine;
   const EnginePicture& picture;
@@ -27,7 +28,7 @@ class FaultLocator {
   /// Renders passes of `description` in the renderer; their scenes and pictures go into its folder.
   FaultLocator(const EngineRenderer& renderer, const RenderedScene& scene, const SceneDescription& description);
 
-  /// `right`: those who agree, the first first; one that cannot render a pass is passed over. Precondition: not empty.
+  /// `right`: engines that agree, best first; one that cannot render a pass is skipped. Precondition: not empty.
   VerifyFault locate(const Suspect& odd, const std::vector<Believed>& right) const;
 
  private:
@@ -41,8 +42,7 @@ class FaultLocator {
   const SceneDescription& description_;
 };
 
-/// PNG of how the second differs from the first: orange where it is brighter, blue where darker, relative to the
-/// first's mean.
+/// PNG of the difference: orange where the second is brighter, blue where it is darker, relative to the first's mean.
 Image signed_difference(const Image& first, const Image& second);
 
 }  // namespace photonproof::inline harness_verify

@@ -22,7 +22,7 @@ class Table {
   bool any_differs(const std::vector<std::size_t>& group, const std::vector<std::size_t>& others) const {
     return std::ranges::any_of(group, [&](std::size_t a) { return differs_from_any(a, others); });
   }
-  /// Nobody differs, and everybody agrees with somebody of them for certain.
+  /// No two differ, and each agrees with another of them for certain.
   bool agree_among_themselves(const std::vector<std::size_t>& group) const {
     return std::ranges::all_of(group, [&](std::size_t a) {
       const bool is_seen =
@@ -51,8 +51,8 @@ std::vector<std::size_t> members(const std::vector<std::size_t>& of, std::size_t
   return group;
 }
 
-/// Those who agree among themselves in the most ways; empty where two groups that are not one another's part have as
-/// many. A closed form outweighs everything. Precondition: at most 20.
+/// The group that agrees among itself in the most ways; a closed form outweighs all ways. Empty if an equal group
+/// differs from it, or if there are fewer than two ways. Precondition: at most 20.
 std::vector<std::size_t> believed_of(const Table& table, const std::vector<std::size_t>& all) {
   std::vector<std::size_t> best;
   std::size_t best_rank = 0;

@@ -1,9 +1,9 @@
-// Which of several witnesses is wrong, from which of them agree. A pure function of the pairs.
+// Finds the outliers among several pictures of a scene from the pairs that agree. A pure function of the pairs.
 //
-// A closed form is right: who differs from it is odd. Of engines, those who agree among themselves are believed when
-// they come by their picture in more ways than the others do: engines that find their light paths by the same code
-// share their mistakes and count once. One that differs from all of them (whose pair is certain enough) is odd. Where
-// no side has more ways, nobody can tell which is wrong.
+// A closed form is right: an engine that differs from it is an outlier. Engines that agree among themselves are
+// believed if they find light in more ways than the others. Engines that find their light paths by the same code share
+// their mistakes and count once. An engine that differs from all believed ones with certain pairs is an outlier. If no
+// side has more ways, the wrong one is unknown.
 #pragma once
 
 #include <cstddef>
@@ -19,25 +19,25 @@ struct Witness {
 };
 
 enum class PairVerdict {
-  agree,     ///< and an error as large as is asked for would have been seen
+  agree,     ///< and the minimum detectable error is as small as requested
   differ,    ///< beyond noise and what is declared
-  undecided  ///< noise or declared errors would hide it
+  undecided  ///< noise or declared errors would hide a difference
 };
 
 struct WitnessPair {
-  std::size_t first = 0, second = 0;  ///< witnesses
+  std::size_t first = 0, second = 0;  ///< indices into the witnesses
   PairVerdict verdict = PairVerdict::undecided;
 };
 
 struct OddOnes {
   enum class End {
-    agree,       ///< nobody differs from anybody, and pairs are certain
-    odd,         ///< `odd` differ from those who agree
+    agree,       ///< no pair differs, and pairs are certain
+    odd,         ///< `odd` differ from the believed ones
     cannot_tell  ///< some differ, and no side has more ways; or nothing is certain
   } end = End::cannot_tell;
-  std::vector<std::size_t> odd;       ///< where `cannot_tell`: all that differ from somebody
+  std::vector<std::size_t> odd;       ///< with `cannot_tell`: all that differ from another
   std::vector<std::size_t> believed;  ///< that agree among themselves
-  bool by_closed_form = false;        ///< it decided
+  bool by_closed_form = false;        ///< it decided the result
 };
 
 OddOnes odd_ones(const std::vector<Witness>& witnesses, const std::vector<WitnessPair>& pairs);

@@ -11,7 +11,7 @@ using End = OddOnes::End;
 const Witness path{"path", "path"}, mapper{"photonmapper", "path"}, bdpt{"bdpt", "bdpt"}, light{"ptracer", "ptracer"},
     povray{"povray", "povray"}, formula{"closed form", "closed form", true};
 
-/// Every pair agrees but those.
+/// All pairs agree except the given ones.
 std::vector<WitnessPair> pairs_but(std::size_t count, const std::vector<WitnessPair>& others) {
   std::vector<WitnessPair> pairs;
   for (std::size_t i = 0; i < count; ++i)
@@ -53,7 +53,7 @@ TEST(OddOnes, closed_form_outweighs_a_majority) {
   EXPECT_EQ(odd.odd, (std::vector<std::size_t>{0, 1, 2}));
 }
 
-// The photon mapper's camera paths are path's: together they are one witness, and two others outvote them.
+// The photon mapper's camera paths are path's, so together they count once, and two others outvote them.
 TEST(OddOnes, engines_that_share_their_sampling_count_once) {
   const std::vector<WitnessPair> two_against_one = pairs_but(3, {{0, 2, differ}, {1, 2, differ}});
   EXPECT_EQ(odd_ones({path, mapper, povray}, two_against_one).end, End::cannot_tell);
@@ -70,7 +70,7 @@ TEST(OddOnes, are_not_known_where_camps_are_equal) {
   EXPECT_EQ(odd.odd.size(), 4u);
 }
 
-// A noisy third differs from nobody: it decides nothing.
+// A noisy third picture differs from no other and decides nothing.
 TEST(OddOnes, noisy_witness_decides_nothing) {
   const OddOnes odd =
       odd_ones({path, povray, light}, pairs_but(3, {{0, 1, differ}, {0, 2, undecided}, {1, 2, undecided}}));

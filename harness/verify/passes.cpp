@@ -9,7 +9,7 @@
 namespace photonproof::inline harness_verify {
 namespace {
 
-/// Of direct light: what comes by two reflections is a 32nd of what comes by one.
+/// Factor on albedos for direct light: light after two reflections is then a 32nd of light after one.
 constexpr double kDim = 1.0 / 32;
 
 struct Kept {
@@ -54,7 +54,7 @@ class PassMaker {
  private:
   using Model = decltype(BsdfDescription::model);
 
-  /// Textures keep their values, for a file's cannot be scaled by a word of the scene.
+  /// Textures keep their values, since a scene file cannot scale those of an image file.
   Colour albedo(const Colour& colour) const {
     if (kept_.emits) return RgbD(0.0);
     if (kept_.textures && std::holds_alternative<TextureIndex>(colour)) return colour;
@@ -105,7 +105,7 @@ class PassMaker {
         bsdf.model);
   }
 
-  /// Of the scene as it was: whether the surface itself would be seen rather than what it mirrors or lets through.
+  /// Whether, in the original scene, the surface itself is visible rather than what it mirrors or lets through.
   bool is_scenery(BsdfIndex index) const {
     if (traits_of(scene_.bsdfs[index.value]).shows_others) return false;
     return std::ranges::all_of(nested_bsdfs(scene_.bsdfs[index.value]),
@@ -118,7 +118,7 @@ class PassMaker {
       shape.exterior.reset();
     }
     if (!kept_.emits || std::holds_alternative<InstanceDescription>(shape.geometry)) return;
-    // A few brightnesses, so that what moves is seen.
+    // Several brightnesses, so that shifts become visible.
     constexpr double of_next[] = {0.25, 4.0, 1.0, 2.0, 0.5};
     const double radiance = of_next[count_++ % std::size(of_next)];
     shape.radiance.reset();
@@ -165,7 +165,7 @@ std::vector<ScenePass> passes_of(const SceneDescription& scene) {
     if (has) passes.push_back({name, words, PassMaker(scene, kept).made()});
   };
   const bool reflects = holds.diffuse || holds.gloss;
-  // Shapes of groups cannot emit (scenes/FORMAT.md).
+  // Shapes of groups cannot emit (docs/formats/scene.md).
   add(!holds.groups, "shapes", "camera, shapes and their sides", {.emits = true});
   add(reflects, "direct", "light from lights on diffuse surfaces", {});
   add(reflects, "indirect", "light between diffuse surfaces", {.indirect = true});

@@ -79,7 +79,7 @@ TEST(Passes, textures_are_their_mean_where_they_are_left_out) {
 TEST(Passes, of_every_library_scene_can_be_written_and_read) {
   for (const auto& entry : std::filesystem::directory_iterator(PHOTONPROOF_SOURCE_DIR "/scenes/library")) {
     const std::string file = (entry.path() / "scene.xml").string();
-    if (entry.path().filename() == "million") continue;  // seconds to read
+    if (entry.path().filename() == "million") continue;  // takes seconds to read
     for (const ScenePass& pass : passes_of(parse_scene_file(file))) {
       const std::string error = input_error_of([&] { parse_scene_text(write_scene(pass.scene), file); });
       EXPECT_EQ(error, "no error") << file << " " << pass.name;

@@ -11,10 +11,10 @@
 namespace photonproof::inline harness_verify {
 namespace {
 
-/// What a change leaves of the squared difference where it is the fault; a gain alone leaves as much by chance.
+/// Share of the squared difference that may remain after the right correction. A gain alone leaves as much by chance.
 constexpr double kLeft = 0.15;
 
-/// Squared difference beyond noise, each pixel relative to its own brightness, so that lights do not decide.
+/// Squared difference beyond noise, each pixel relative to its own brightness, so that lights do not dominate.
 double unlike(const Image& expected, const EnginePicture& odd, const EnginePicture& right) {
   double sum = 0;
   const Image& seen = odd.rendering.mean;
@@ -35,7 +35,7 @@ std::string side_words(double x, double y) {
   return words;
 }
 
-/// Every shift by quarters of a pixel is tried; the least that is as good as the best is said.
+/// Tries every shift by quarters of a pixel, and reports the smallest that is as good as the best.
 std::optional<PictureFault> shifted(const EnginePicture& right, const EnginePicture& odd, double before) {
   constexpr int most = 6;           // quarters
   constexpr double explains = 0.4;  // an edge between pixels is not moved exactly
@@ -74,7 +74,7 @@ std::optional<PictureFault> picture_fault(const EnginePicture& right, const Engi
     consider(with_channels(light, row), "tone", row.sentence, row.cause);
   for (const ToneRow& row : tone_rows().subspan(1)) {
     const std::string_view kind = row.kind;
-    if (kind != "wrap-around" && kind != "negative")  // of 8 bits
+    if (kind != "wrap-around" && kind != "negative")  // requires 8 bits
       consider(toned(light, row, 1), "tone", row.sentence, row.cause);
   }
   if (!best.pass.empty()) return best;

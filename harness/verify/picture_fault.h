@@ -1,7 +1,7 @@
-// A mistake of the whole picture, whatever it shows: turned over, channels exchanged, another tone curve, moved by a
-// part of a pixel. Each is tried on the right picture, and must explain most of the difference. Ask it of a picture in
-// which every surface emits (passes.h, "shapes"): a texture that is mirrored looks like a camera that is, but not
-// there.
+// Finds a mistake of the whole picture, independent of its content: upside down, channels exchanged, another tone
+// curve, moved by a part of a pixel. Each is tried on the right picture and must explain most of the difference. Use a
+// picture in which every surface emits (passes.h, "shapes"). There a mirrored texture does not look like a mirrored
+// camera.
 #pragma once
 
 #include <optional>

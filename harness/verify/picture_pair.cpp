@@ -12,10 +12,10 @@
 namespace photonproof::inline harness_verify {
 namespace {
 
-/// Nothing at all is known to be less certain than that.
+/// Stands for an unknown value: no known one is less certain.
 constexpr double kNoDeviation = 1e9;
 
-/// Pairs are never too noisy to agree: `would_see` says what agreement means.
+/// A pair is never too noisy to agree, since `would_see` gives the detectable error.
 constexpr AgreementBounds no_bounds{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
 
 bool any_of(const std::array<bool, 3>& channels) { return channels[0] || channels[1] || channels[2]; }
@@ -38,7 +38,7 @@ std::optional<double> ssim_of(const Image& reference, const Image& test) {
   return std::nullopt;
 }
 
-/// The sum over these channels, of all where there is none.
+/// Sum over the given channels, or over all if none is given.
 Deviation whole_of(const Deviations& d, const std::array<bool, 3>& channels) {
   const bool any = any_of(channels);
   Deviation whole;
@@ -61,7 +61,7 @@ std::string whole_sentence(const Deviations& d, const std::array<bool, 3>& chann
          (names.empty() ? "" : ", " + names + " only");
 }
 
-/// Sets by how much the means are off, and which error would be seen.
+/// Sets the shifts of the means, and the minimum detectable error.
 void compare_channels(const Deviations& d, double alpha, const AllowedError& allowed, PairTest& test) {
   for (std::size_t c = 0; c < 3; ++c)
     if (d.whole[c].expected != 0) test.shift[c] = d.whole[c].difference / std::abs(d.whole[c].expected);
@@ -96,7 +96,7 @@ AllowedError both_declare(const EnginePicture& first, const EnginePicture& secon
 
 namespace {
 
-/// Why nobody knows the noise of this picture; empty where it is known.
+/// The reason why this picture's noise is unknown; empty if it is known.
 std::string why_noise_is_unknown(const EnginePicture& picture) {
   if (picture.images.empty() || picture.images.size() >= std::size_t{least_images}) return {};
   return fmt::format("{} says nothing of its noise, which fewer than {} pictures do not show", picture.engine,
@@ -121,7 +121,7 @@ void judge(const EnginePicture& first, const EnginePicture& second, double alpha
   test.whole_shift = relative_shift(whole_of(d, test.channels));
 }
 
-/// Marks the pixel of this picture that has more light than chance gives it beside `other`, its light in each channel.
+/// Marks the pixel of this picture with more light than chance allows beside `other`, with its light in each channel.
 void find_outlier(const EnginePicture& picture, const std::array<double, 3>& light, double alpha, PairTest& test) {
   const Image& mean = picture.rendering.mean;
   for (std::size_t i = 0; i < mean.rgb.size(); ++i) {

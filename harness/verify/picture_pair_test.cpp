@@ -12,7 +12,7 @@ namespace {
 
 constexpr int kWidth = 32, kHeight = 24;
 
-/// A gradient with normal noise of this deviation a pixel, which its variance layer knows.
+/// A gradient with normal noise of this standard deviation a pixel, known to its variance layer.
 EnginePicture noisy(std::uint64_t seed, double gain = 1, double deviation = 0.02, double known = 0) {
   std::mt19937_64 random(seed);
   std::normal_distribution<double> normal;
@@ -35,8 +35,8 @@ TEST(PairTest, equal_pictures_differ_at_most_by_chance) {
   EXPECT_EQ(differ, 0);  // pair_alpha is 1e-4
 }
 
-// 768 pixels of a mean of 0.55 with deviations of 0.02 in both: the mean's error is 0.02 sqrt(2/768) / 0.55 = 0.19 %.
-// At the level of 1e-4 / 3 / 3 (4.4 deviations) and power 0.99 (2.3) an error of 1.2 % is seen.
+// 768 pixels of a mean of 0.55 with deviations of 0.02 in both give an error of the mean of 0.02 sqrt(2/768) / 0.55 =
+// 0.19 %. At the level of 1e-4 / 3 / 3 (4.4 deviations) and power 0.99 (2.3) an error of 1.2 % is detected.
 TEST(PairTest, says_which_error_it_would_have_seen) {
   const PairTest test = test_pair(noisy(1), noisy(2));
   ASSERT_TRUE(test.would_see.has_value());
@@ -70,7 +70,7 @@ TEST(PairTest, place_and_channel_of_a_difference_are_named) {
   EXPECT_EQ(test.channels, (std::array<bool, 3>{true, false, false}));
 }
 
-/// An even picture with next to no noise, besides light in samples worth 1, a hundredth a pixel on average.
+/// A uniform picture with almost no noise, plus light in samples worth 1, a hundredth a pixel on average.
 EnginePicture with_fireflies(std::uint64_t seed) {
   std::mt19937_64 random(seed);
   std::poisson_distribution<int> hits(0.01);
@@ -85,8 +85,8 @@ EnginePicture with_fireflies(std::uint64_t seed) {
   return picture;
 }
 
-// The expected picture has a hundredth more everywhere: two thirds of the blocks of 64 pixels met some of that light,
-// the others say that they are certain of having none.
+// The expected picture is brighter by 0.01 everywhere. Two thirds of the blocks of 64 pixels contain some of that
+// light, and the others are certain of having none.
 TEST(PairTest, light_that_comes_in_few_bright_samples_proves_nothing_where_it_is_missing) {
   EnginePicture expected = noisy(1, 1, 1e-4);
   for (float& v : expected.rendering.mean.rgb) v += 0.01f;
@@ -96,11 +96,11 @@ TEST(PairTest, light_that_comes_in_few_bright_samples_proves_nothing_where_it_is
     EXPECT_FALSE(test.differs) << seed << ": " << test.sentence;
     undecided += test.is_undecided ? 1 : 0;
   }
-  EXPECT_GT(undecided, 50);  // by their variances alone they would differ
+  EXPECT_GT(undecided, 50);  // their variances alone would call them different
 }
 
-// The light of a channel is at most 768 x 0.8 = 615; 6 / 1e-4 times as much is 3.7e7, and the noise of a pixel that
-// says it is 3e36 would hide it.
+// The light of a channel is at most 768 x 0.8 = 615, and 6 / 1e-4 times that is 3.7e7. The noise of a pixel with the
+// value 3e36 would hide it.
 TEST(PairTest, pixel_with_more_light_than_chance_gives_differs_whatever_its_noise) {
   EnginePicture odd = noisy(2);
   odd.engine = "odd";
@@ -123,7 +123,7 @@ TEST(PairTest, pixel_with_more_light_than_chance_gives_differs_whatever_its_nois
                   .has_outlier);
 }
 
-// Two pictures alike by chance would make anything else certain to differ.
+// Two pictures that are similar by chance would make any third one differ.
 TEST(PairTest, engine_that_shows_its_noise_by_fewer_pictures_than_gates_need_is_undecided) {
   EnginePicture odd = noisy(2, 1.5);
   odd.engine = "odd";
@@ -148,14 +148,14 @@ TEST(PairTest, more_than_bright_samples_carry_differs_beside_them) {
   EnginePicture expected = noisy(1, 1, 1e-4);
   for (int y = 0; y < kHeight; ++y)
     for (int x = 0; x < kWidth / 2; ++x)
-      for (std::size_t c = 0; c < 3; ++c) expected.rendering.mean.pixel(x, y)[c] *= 0.5f;  // 384 pixels of 0.2 less
+      for (std::size_t c = 0; c < 3; ++c) expected.rendering.mean.pixel(x, y)[c] *= 0.5f;  // 384 pixels darker by 0.2
   const PairTest test = test_pair(expected, with_fireflies(1));
   EXPECT_TRUE(test.differs);
   EXPECT_FALSE(test.is_undecided);
 }
 
 TEST(PairTest, of_a_closed_form_is_of_the_mean) {
-  // Channels are next to each other in the gradient.
+  // Neighbouring values of the gradient are channels.
   const auto mean = [](int c) { return 0.3 + 0.5 * (3.0 * (kWidth - 1) / 2 + c) / (3 * kWidth); };
   const RgbD stated(mean(0), mean(1), mean(2));
   EXPECT_FALSE(test_against_closed_form(stated, noisy(3)).differs);

@@ -1,5 +1,5 @@
-// Ten mistakes, each planted in one engine of several: verify blames that engine and the pass of light that the mistake
-// is in.
+// Ten mistakes, each planted in one of several engines: verify must name that engine and the pass of light with the
+// mistake.
 
 #include <gtest/gtest.h>
 
@@ -74,7 +74,7 @@ TEST_F(PlantedFaults, gamma_where_values_are_linear) {
   expect_blamed(odd_row("gamma", "path"), {"bdpt", "volpath"}, "tone");
 }
 
-// Nothing is diffuse, so that glass is seen without noise but that of its two ways of light.
+// Nothing is diffuse, so the only noise of glass is that of its two light paths.
 TEST_F(PlantedFaults, index_of_refraction_of_1_52_in_place_of_1_5) {
   const std::string bars = rectangle(R"(<scale x="0.08" y="2"/><translate x="-0.5" z="0.1"/>)", glow("2,3,4")) +
                            rectangle(R"(<scale x="0.08" y="2"/><translate x="0.3" z="0.1"/>)", glow("3,1,1"));
@@ -89,7 +89,7 @@ TEST_F(PlantedFaults, roughness_that_is_squared_twice) {
   expect_blamed(odd_row("alpha", "path"), {"bdpt", "volpath"}, "mirror", "", "0.05");
 }
 
-// Two of ours share materials, and could share a mistake in one: Cycles has microfacets of its own.
+// Two engines of ours share materials and thus a mistake in one. Cycles has microfacets of its own.
 TEST_F(PlantedFaults, roughness_that_is_squared_twice_by_a_witness_that_shares_no_code) {
   if (!run_process({"blender", "--version"}).ok())
     GTEST_SKIP() << "Blender is not installed: ./run --with-cycles installs it";

@@ -1,5 +1,5 @@
-// Probes of what lights and textures read from files, and of the clear sky. Under a sky half of the floor is diffuse,
-// by which its light is measured, and half a mirror, in which it is seen.
+// Probes with files of lights and textures, and with the clear sky. Under a sky half of the floor is diffuse, to
+// measure its light, and half a mirror, to see it.
 
 #include <algorithm>
 #include <array>
@@ -14,8 +14,7 @@ namespace {
 
 using namespace probe_scenes;
 
-// A luminaire: candela by the angle from the nadir, every 15 degrees, and by the angle about it, every 90, between
-// them linear.
+// A luminaire in candela: every 15 degrees of the angle from the nadir, every 90 degrees about it, linear in between.
 constexpr std::array<std::array<double, 7>, 5> kCandela{{{10, 12, 16, 11, 6, 2, 0},
                                                          {10, 9, 7, 6, 4, 1, 0},
                                                          {10, 8, 5, 3, 2, 1, 0},
@@ -56,8 +55,8 @@ std::string split_floor() {
 
 Vec3d mirrored_view(double x, double y) { return normalize(Vec3d{x, y, 4}); }
 
-// A sky whose radiance in the direction (x, y, z) of its own is 1 + (x, y, z) / 2, so that its irradiance is
-// pi + pi y / 3 on what faces y; turned so that its y is up.
+// A sky with radiance 1 + (x, y, z) / 2 in its own direction (x, y, z), so that a surface facing y has irradiance pi +
+// pi y / 3. It is turned so that its y is up.
 Image linear_sky() {
   constexpr int width = 512, height = 257;
   Image image(width, height);
@@ -81,12 +80,12 @@ RgbD under_image_sky(double x, double y) {
 const Vec3d kSun = normalize(Vec3d{1, 0.5, 2});
 constexpr double kTurbidity = 4, kGroundAlbedo = 0.2;
 
-/// By the midpoint rule over the upper half.
+/// Irradiance of the upper half, by the midpoint rule.
 RgbD irradiance_of_clear_sky(const ClearSky& sky) {
   constexpr int steps = 400;
   RgbD sum(0.0);
   for (int i = 0; i < steps * steps; ++i) {
-    // Equal parts of the floor's projected solid angle.
+    // Samples at the middles of equal parts of the floor's projected solid angle.
     const double sine = std::sqrt((i / steps + 0.5) / steps), about = 2 * kPi * (i % steps + 0.5) / steps;
     sum += sky.radiance({sine * std::cos(about), sine * std::sin(about), std::sqrt(1 - sine * sine)});
   }
@@ -100,7 +99,7 @@ RgbD under_clear_sky(double x, double y) {
   return y > 0 ? irradiance * (kAlbedo / kPi) : sky.radiance(mirrored_view(x, y));
 }
 
-// Four by four fields of colour over the floor, whose first row is at v = 0, the floor's lower edge.
+// Four by four fields of colour over the floor. The first row is at v = 0, the floor's lower edge.
 Image fields() {
   Image image(4, 4);
   for (int i = 0; i < 16; ++i) {
@@ -118,7 +117,8 @@ RgbD of_fields(double x, double y) {
   return {0.1 + 0.05 * (4 * row + column), 0.8 - 0.15 * column, 0.2 + 0.15 * row};
 }
 
-// Normals of a map, in four fields over the floor whose borders are in the middle of the view; lit by a slanting beam.
+// Normals of a map in four fields over the floor, whose borders meet in the middle of the view. A slanting beam lights
+// it.
 const std::array<Vec3d, 4> kNormals{normalize(Vec3d{0.2, 0.1, 1}), normalize(Vec3d{-0.3, 0.1, 1}),
                                     normalize(Vec3d{0.2, -0.4, 1}), normalize(Vec3d{-0.3, -0.2, 1})};
 
@@ -132,8 +132,8 @@ Image normal_map() {
   return image;
 }
 
-/// Of a floor whose normals are bent to `n`: bumps shadow each other by 2 / (1 + sqrt(1 + a^2 tan^2)), a^2 an eighth of
-/// the squared tangent of the bend, the other that of the light's slant (Estevez et al. 2019).
+/// Radiance of a floor whose normals are bent to `n`. Bumps shadow each other by 2 / (1 + sqrt(1 + a^2 tan^2)). Here
+/// a^2 is an eighth of the bend's squared tangent, tan^2 that of the light's slant (Estevez et al. 2019).
 RgbD of_bent(const Vec3d& n) {
   const Vec3d to_light = normalize(Vec3d{-1, -1, 2});
   const auto squared_tangent = [](double cosine) { return 1 / (cosine * cosine) - 1; };
@@ -142,7 +142,7 @@ RgbD of_bent(const Vec3d& n) {
 }
 RgbD of_normal_map(double x, double y) { return of_bent(kNormals[(y > 0 ? 2u : 0u) + (x > 0 ? 1u : 0u)]); }
 
-// Heights of a map, over the texels' middles 4 units apart: a slope of 0.3 along x and -0.2 along y where it is seen.
+// Heights of a map at the texels' middles, 4 units apart: the visible slope is 0.3 along x and -0.2 along y.
 Image heights() {
   Image image(2, 2);
   for (int i = 0; i < 4; ++i)
@@ -151,7 +151,8 @@ Image heights() {
 }
 RgbD of_heights(double, double) { return of_bent(normalize(Vec3d{-0.3, 0.2, 1})); }
 
-// A tent of light: two slopes and two gables, open below. The front of a face is where it is counter-clockwise.
+// A tent of light: two slopes and two gables, open below. The front of a face is where its vertices run
+// counter-clockwise.
 constexpr std::array<Vec3d, 6> kTent{Vec3d{1.6, -0.4, 1.6}, {2.2, -0.4, 1.6}, {2.2, 0.4, 1.6},
                                      {1.6, 0.4, 1.6},       {1.9, -0.4, 1.2}, {1.9, 0.4, 1.2}};
 constexpr std::array<std::array<std::size_t, 3>, 6> kTentFaces{

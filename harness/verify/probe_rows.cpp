@@ -1,5 +1,4 @@
-// The probes as data: what a scene of a few lines shows, and the formula of it. Those with files are in
-// probe_files.cpp.
+// The probes as data: a scene of a few lines, and the formula of its image. Those with files are in probe_files.cpp.
 
 #include <cmath>
 #include <vector>
@@ -47,12 +46,12 @@ RgbD tinted(double, double) { return {0.7, 0.45, 0.2}; }
 RgbD mirrored(double, double) { return {0.9, 0.6, 0.3}; }
 RgbD whole(double, double) { return RgbD(1.0); }
 
-/// Of the ray through (x, y): the tangent at the image's edge is that of half the field of view.
+/// Cosine of the angle between the axis and the ray through (x, y). The image's edge is at half the field of view.
 double cosine(double x, double y, double fov_degrees) {
   const double t = std::tan(fov_degrees * kPi / 360);
   return 1 / std::sqrt(1 + t * t * (x * x + y * y));
 }
-/// A clear coat of index 1.5, of which a way straight through absorbs exp(-depth), over what is diffuse.
+/// A clear coat of index 1.5 over a diffuse base; a way straight through it absorbs exp(-depth).
 class Coat {
  public:
   explicit Coat(double depth) : depth_(depth) {
@@ -64,7 +63,8 @@ class Coat {
       inside_ += (sine < 1 / kIndex ? mirrored(kIndex * sine) : 1) * std::pow(absorbed(sine), 2) * weight;
     }
   }
-  /// Lit from all around by 1: what the coat mirrors, and what got in, was thrown back and forth and got out.
+  /// Radiance under light 1 from all directions: reflection of the coat, and light that entered, was reflected back and
+  /// forth and left.
   double seen(double x, double y) const {
     const double sine = std::sin(std::acos(cosine(x, y, kFov))), F = mirrored(sine);
     const double below = entered_ * kAlbedo / (1 - kAlbedo * inside_);
@@ -88,7 +88,7 @@ RgbD by_lacquer(double x, double y) {
   static const Coat red(0.1), green(0.3), blue(0.8);
   return {red.seen(x, y), green.seen(x, y), blue.seen(x, y)};
 }
-/// A third of it is not there, and the sky shines through.
+/// A third of the surface is cut out, and the sky shines through.
 RgbD behind_mask(double, double) { return RgbD(2 * kAlbedo / 3 + 1.0 / 3); }
 RgbD blended(double, double) { return {0.75 * 0.8 + 0.25 * 0.2, 0.75 * 0.4 + 0.25 * 0.6, 0.75 * 0.1 + 0.25 * 0.9}; }
 RgbD through_pane(double x, double y) {
@@ -106,8 +106,8 @@ RgbD by_point_in_fisheye(double x, double y) {
   return by_point(at * x, at * y);
 }
 
-/// GGX of roughness 0.3 times its masking, Smith's, of both directions apart, over 4 cosines (Walter et al. 2007): a
-/// reflectance but for Fresnel's.
+/// GGX of roughness 0.3 times Smith's masking, separate for both directions, over 4 cosines (Walter et al. 2007): the
+/// reflectance without the Fresnel factor.
 double facets(const Vec3d& light, const Vec3d& eye) {
   constexpr double a2 = 0.3 * 0.3;
   const auto seen = [](double c) { return 2 / (1 + std::sqrt(1 + a2 * (1 - c * c) / (c * c))); };
@@ -118,12 +118,12 @@ Vec3d to_eye(double x, double y) { return normalize(Vec3d{-x, -y, 4}); }
 RgbD by_rough_metal(double x, double y) {
   return RgbD{0.9, 0.6, 0.3} * (facets(kToBeam, to_eye(x, y)) * 2 * kToBeam.z);
 }
-/// What it mirrors; what it lets through falls on nothing.
+/// The reflected part; light that goes through meets no surface.
 double rough_glass(const Vec3d& light, const Vec3d& eye) {
   const double angle = std::acos(std::min(1.0, dot(light, normalize(light + eye))));
   return fresnel_reflectance(angle, 1.5).unpolarised() * facets(light, eye);
 }
-/// Black but for its coat.
+/// Black under its coat.
 RgbD by_rough_coat(double x, double y) { return RgbD(rough_glass(kToBeam, to_eye(x, y)) * 2 * kToBeam.z); }
 /// (n + 2) / (2 pi) cos^n of the angle to the mirrored eye (Lafortune and Willems 1994).
 double lobe(const Vec3d& light, const Vec3d& eye) {
@@ -131,7 +131,8 @@ double lobe(const Vec3d& light, const Vec3d& eye) {
   const double off_mirror = dot(light, Vec3d{-eye.x, -eye.y, eye.z});
   return (exponent + 2) / (2 * kPi) * std::pow(std::max(0.0, off_mirror), exponent);
 }
-/// Of light 1 from the whole upper half what a floor that reflects by `f` throws to the eye: by the midpoint rule.
+/// Radiance towards the eye from a floor with reflectance `f`, under light 1 from the whole upper half, by the midpoint
+/// rule.
 template <double (*f)(const Vec3d& light, const Vec3d& eye)>
 double under_bright_ceiling(double x, double y) {
   constexpr int steps = 150, eyes = 9;
@@ -301,7 +302,7 @@ std::vector<Probe> textures() {
            chequered}};
 }
 
-/// The same floor in the same light through every camera.
+/// The same floor under the same light, through every camera.
 std::vector<Probe> cameras() {
   const std::string scenery = floor_of(diffuse("0.5")) + point_light() + "</scene>";
   const auto with = [&](const std::string& type, const std::string& parameters, const std::string& scale = "") {

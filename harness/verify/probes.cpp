@@ -20,7 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int kSide = 32;
-/// Beyond noise, what is right: of engines that claim to be exact, and of others.
+/// Relative error beyond noise that counts as right: for engines that claim to be exact, and for others.
 constexpr double kExact = 0.003, kOther = 0.01;
 
 Image expected_image(const Probe& probe, int width, int height) {
@@ -81,7 +81,7 @@ VerifyProbe judged(const Probe& probe, const VerifyEngine& engine, const EngineP
   return out;
 }
 
-/// The scene with its files.
+/// Content of the scene and its files.
 std::string content_of(const Probe& probe) {
   std::vector<std::string> parts{probe.scene};
   for (const ProbeFile& file : probe.files) {
@@ -97,7 +97,7 @@ std::string content_of(const Probe& probe) {
   return length_prefixed(parts);
 }
 
-/// Of a probe of this content. Empty where nothing can be kept: without a home, or of an engine that tells no version.
+/// Cache file for a probe of this content. Empty without a home folder, or if the engine has no version.
 fs::path cache_file(const std::string& content, const VerifyEngine& engine, double power) {
   if (engine.version.line.empty()) return {};
   try {
@@ -129,7 +129,7 @@ VerifyProbe probed(const EngineRenderer& renderer, const Probe& probe, const Ver
     return refused;
   }
   VerifyProbe result = judged(probe, engine, *render.picture);
-  std::error_code ignored;  // a cache that cannot be written is none
+  std::error_code ignored;  // failing to write the cache is no error
   if (!kept.empty() && (fs::create_directories(kept.parent_path(), ignored), !ignored)) {
     try {
       write_file_atomically(kept, verify_probe_text(result));
@@ -219,7 +219,7 @@ ProbeFit fit_probe(const Probe& probe, const EnginePicture& picture) {
   const Sums s = sums_of(expected, picture);
   const double mean = s.c / s.n, spread = s.cc - s.c * s.c / s.n;
   ProbeFit fit;
-  const double independent = s.n / 3;      // a pixel's channels may be by the same samples
+  const double independent = s.n / 3;      // channels of a pixel may share samples
   constexpr double least_variation = 0.1;  // relative deviation over the image
   fit.has_offset = std::sqrt(std::max(0.0, spread / s.n)) > least_variation * mean;
   const auto gain_alone = [&] {

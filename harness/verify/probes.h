@@ -1,5 +1,5 @@
-// Calibration probes: micro-scenes with a closed form, one a kind of light, material, camera and medium. Each engine's
-// picture is fitted to it, image = gain * closed form + offset, so that a wrong unit reads "spot light: POV-Ray 1.02x
+// Calibration probes: micro-scenes with a closed form, one for each kind of light, material, camera and medium. Each
+// engine's picture is fitted as image = gain * closed form + offset. So a wrong unit reads "spot light: POV-Ray 1.02x
 // closed form" before any whole scene is compared.
 #pragma once
 
@@ -15,7 +15,7 @@
 
 namespace photonproof::inline harness_verify {
 
-/// What a probe's scene names: a text, or an image that is written as EXR.
+/// A file that a probe's scene refers to: a text, or an image that is written as EXR.
 struct ProbeFile {
   std::string name;
   std::variant<std::string, Image> content;
@@ -25,31 +25,32 @@ struct Probe {
   std::string kind;   ///< "light", "material", "camera", "medium"
   std::string what;   ///< "spot light"
   std::string scene;  ///< XML
-  /// Of the direction through the image at (x, y), both in [-1, 1], x to the right and y up.
+  /// Radiance in the direction through the image at (x, y), both in [-1, 1], x to the right and y up.
   RgbD (*radiance)(double x, double y) = nullptr;
   std::vector<ProbeFile> files{};  ///< beside the scene
 };
 
 const std::vector<Probe>& probe_rows();
 
-/// The scene as this file, and the probe's files beside it; reads it. Throws InputError where it cannot be written.
+/// Writes the scene to this file with the probe's files beside it, and reads it. Throws InputError where it cannot be
+/// written.
 SceneDescription write_probe(const Probe& probe, const std::filesystem::path& file);
 
-/// The probes' names of what the scene holds.
+/// Names of the probes for the scene's contents.
 std::vector<std::string> kinds_in(const SceneDescription& scene);
 
 struct ProbeFit {
   double gain = 1, gain_error = 0;
   double offset = 0, offset_error = 0;  ///< relative to the closed form's mean
-  bool has_offset = false;              ///< the closed form varies enough to tell it from the gain
+  bool has_offset = false;              ///< the closed form varies enough to separate offset and gain
 };
 
-/// Least squares over all pixels and channels. The closed form is averaged over 4 x 4 points a pixel. Errors are the
-/// larger of what the picture's variance and its residuals say.
+/// Least squares over all pixels and channels, with the closed form averaged over 4 x 4 points a pixel. Errors are the
+/// larger of those from the picture's variance and from its residuals.
 ProbeFit fit_probe(const Probe& probe, const EnginePicture& picture);
 
-/// Of the engines and the named kinds, without those that `known` has. Results are kept in the cache by the engine's
-/// version, where it tells one. Throws VerifyInterrupted.
+/// Probes the engines by the named kinds, except those in `known`. The cache keeps results by the engine's version, if
+/// it has one. Throws VerifyInterrupted.
 std::vector<VerifyProbe> probe_engines(const EngineRenderer& renderer, const std::vector<VerifyEngine>& engines,
                                        const std::vector<std::string>& kinds, const std::vector<VerifyProbe>& known);
 

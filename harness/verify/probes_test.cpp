@@ -14,7 +14,7 @@ namespace {
 
 const Probe& probe_of(const std::string& what) { return *std::ranges::find(probe_rows(), what, &Probe::what); }
 
-/// The probe's closed form, times gain plus offset, with noise of this deviation.
+/// The probe's closed form times gain plus offset, with noise of this standard deviation.
 EnginePicture picture_of(const Probe& probe, double gain, double offset, double deviation = 0) {
   constexpr int side = 32;
   std::mt19937_64 random(1);
@@ -53,7 +53,7 @@ TEST(Probes, of_even_light_have_a_gain_alone) {
   EXPECT_NEAR(fit.gain, 0.5, 1e-6);
 }
 
-// The colours of Phong's floor differ, its places hardly: under much noise a gain beside an offset is anything.
+// The colours of Phong's floor vary, its places hardly. With much noise a gain beside an offset is arbitrary.
 TEST(Probes, of_much_noise_have_a_gain_alone) {
   const Probe& probe = probe_of("phong");
   ASSERT_TRUE(fit_probe(probe, picture_of(probe, 1.1, 0)).has_offset);
@@ -63,7 +63,8 @@ TEST(Probes, of_much_noise_have_a_gain_alone) {
   EXPECT_LT(fit.gain_error, 0.1);
 }
 
-// Of 3072 values of about 0.4 the mean is known to 0.02 / sqrt(3072) / 0.4 = 0.09 %; the gain beside an offset less.
+// The mean of 3072 values of about 0.4 is known to 0.02 / sqrt(3072) / 0.4 = 0.09 %; the gain beside an offset is less
+// certain.
 TEST(Probes, errors_of_a_fit_are_those_of_noise) {
   const Probe& probe = probe_of("point light");
   const ProbeFit fit = fit_probe(probe, picture_of(probe, 1, 0, 0.02));
@@ -85,7 +86,7 @@ TEST(Probes, have_names_and_scenes_of_their_own) {
     EXPECT_EQ(std::ranges::count(probe_rows(), probe.what, &Probe::what), 1);
     const SceneDescription scene = write_probe(probe, folder.path() / "probe.xml");
     EXPECT_GT(probe.radiance(0.1, 0.1).x, 0) << probe.what;
-    // A lossless ball is in the scene of glass, too.
+    // The scene of glass also contains a lossless ball.
     EXPECT_TRUE(probe.what == "lossless glass" || std::ranges::count(kinds_in(scene), probe.what) == 1) << probe.what;
   }
 }

@@ -11,7 +11,7 @@ namespace photonproof::inline harness_verify {
 std::string witness_for(const SceneDescription& scene, const std::string& parent, const std::optional<Expect>& expect,
                         const std::function<std::string(const std::string&)>& refusal) {
   const std::vector<std::string> unbiased = estimators_for(scene);
-  // By how little they have in common: paths from both ends, from the camera, from the lights.
+  // Ordered by how little they share: paths from both ends, from the camera, from the lights.
   for (const std::string estimator : {"bdpt", "volpath", "path", "ptracer"}) {
     if (std::ranges::find(unbiased, estimator) == unbiased.end()) continue;
     if (shares_sampling(estimator, parent) || (expect && expect->unsupported.contains(estimator))) continue;

@@ -20,15 +20,15 @@ TEST(ReferenceWitness, shares_no_sampling_with_the_parent) {
   EXPECT_EQ(witness_of("cornell", "path"), "bdpt");
   EXPECT_EQ(witness_of("cornell", "path", "bdpt"), "volpath");
   EXPECT_EQ(witness_of("cornell-spheres", "bdpt"), "volpath");
-  EXPECT_EQ(witness_of("cornell", "photonmapper"), "bdpt");  // whose camera paths are path's
+  EXPECT_EQ(witness_of("cornell", "photonmapper"), "bdpt");  // its camera paths are path's
 }
 
 TEST(ReferenceWitness, is_none_where_no_other_way_finds_the_light) {
   EXPECT_EQ(witness_of("fog", "volpath"), "");            // a medium that scatters is volpath's alone
-  EXPECT_EQ(witness_of("ball-lens", "bdpt"), "ptracer");  // light of a point by glass: not path's; the ball is not seen
+  EXPECT_EQ(witness_of("ball-lens", "bdpt"), "ptracer");  // path finds no point light through glass; ball unseen
 }
 
-/// A level of 0.5 with noise of this deviation.
+/// A level of 0.5 with noise of this standard deviation.
 Rendering noisy_grey(std::uint64_t seed, double gain, double deviation = 0.01) {
   std::mt19937_64 random(seed);
   std::normal_distribution<double> normal;
@@ -45,7 +45,7 @@ TEST(ReferenceWitness, that_is_off_by_a_percent_disagrees_and_says_what_it_sees)
   EXPECT_FALSE(same.differs);
   EXPECT_LT(same.would_see.value(), 0.01);
   EXPECT_TRUE(test_witness(noisy_grey(1, 1), 0, noisy_grey(2, 1.01)).differs);
-  EXPECT_FALSE(test_witness(noisy_grey(1, 1), 0.01, noisy_grey(2, 1.01)).differs);  // a bias that is stated
+  EXPECT_FALSE(test_witness(noisy_grey(1, 1), 0.01, noisy_grey(2, 1.01)).differs);  // within the stated bias
 }
 
 }  // namespace

@@ -37,9 +37,9 @@ std::string to_word(PairVerdict verdict) {
 struct Side {
   Witness witness;
   const VerifyEngine* engine = nullptr;
-  std::map<int, EnginePicture> pictures{};  ///< by series; one without noise has the first alone
+  std::map<int, EnginePicture> pictures{};  ///< by series; one without noise has only the first
   std::optional<RgbD> closed_form{};
-  bool is_set_aside = false;  ///< says nothing of the scene: in no pair
+  bool is_set_aside = false;  ///< gives no information about the scene: in no pair
 };
 
 class SceneJudge {
@@ -92,7 +92,7 @@ class SceneJudge {
     out_.pictures.push_back(std::move(picture));
   }
 
-  /// It is one more witness, in the way of the estimator that made it.
+  /// The stored reference is one more picture, with the sampling of its estimator.
   void add_stored_reference() {
     if (!std::filesystem::exists(committed_reference_path(scene_.file, scene_.width, scene_.height))) return;
     try {
@@ -111,7 +111,7 @@ class SceneJudge {
     }
   }
 
-  /// Empty where it has none.
+  /// Empty if the side has no picture.
   const EnginePicture* picture_of(Side& side, int series) {
     if (side.pictures.empty()) return nullptr;
     if (series > 0 && side.engine != nullptr && side.engine->counts_samples() && !side.pictures.contains(series)) {
@@ -134,10 +134,10 @@ class SceneJudge {
 
   void compare(std::size_t i, std::size_t j) {
     PairTest result = test(sides_[i], sides_[j], 0);
-    // Chance has one more try; what differs differs again. An outlier need not, and proves enough by itself.
+    // A difference must repeat with new samples, or it may be chance. An outlier is proof enough by itself.
     if (result.differs && !result.has_outlier) result = test(sides_[i], sides_[j], 1);
     const double asked = 1.5 * renderer_.options().power + declared_by(sides_[i]) + declared_by(sides_[j]);
-    // Who may be off by a quarter witnesses nothing.
+    // An engine with a larger declared error is not used as an independent reference.
     constexpr double most_declared = 0.25;
     const bool says_little = std::max(declared_by(sides_[i]), declared_by(sides_[j])) > most_declared;
     const bool is_seen = result.would_see && *result.would_see <= asked && !result.is_undecided && !says_little;
@@ -163,7 +163,7 @@ class SceneJudge {
     return names;
   }
 
-  /// Exact ones first: what differs from them is seen best.
+  /// Exact engines first, since differences from them are detected best.
   std::vector<Believed> believed_engines(const std::vector<std::size_t>& sides) const {
     std::vector<Believed> engines, others;
     for (const std::size_t side : sides) {
@@ -208,9 +208,9 @@ class SceneJudge {
     return others;
   }
 
-  /// An engine that differs and says itself that it cannot find some of the light is not wrong: it says nothing of the
-  /// scene. Engines that show the light decide; among those that all lack some, the brighter one shows more of it. The
-  /// engines must differ in caustics first.
+  /// An engine that differs but declares that it cannot find some of the light is not wrong: it gives no information
+  /// about the scene. Engines that show the light decide. Among engines that all lack some, the brighter one shows more
+  /// of it. The first pass in which they differ must be caustics.
   void set_aside_who_cannot_find_light() {
     const auto blind = [&](std::size_t side) {
       const bool draws = sides_[side].engine != nullptr && !sides_[side].pictures.empty();
@@ -272,7 +272,7 @@ class SceneJudge {
     add_what_failed();
   }
 
-  /// A probe of what the scene holds that one engine gets wrong and no other does.
+  /// Decides by a probe of the scene's contents that one engine gets wrong and no other.
   void decide_by_probes(OddOnes& odd) {
     const std::vector<std::string> held = kinds_in(description_);
     std::vector<std::size_t> wrong, right;
@@ -314,7 +314,7 @@ class SceneJudge {
     add_doubt(odd);
   }
 
-  /// Engines of ours share what they are made of.
+  /// Warns if only engines of ours are believed against another program, since ours share parts.
   void add_doubt(const OddOnes& odd) {
     if (odd.by_closed_form) return;
     const auto is_ours = [&](std::size_t side) {

@@ -1,4 +1,4 @@
-// One scene: its engines' pictures, the pairs, and what follows from them.
+// Verdict on one scene: its engines' pictures, the pairs, and the conclusions from them.
 #pragma once
 
 #include <vector>
@@ -10,8 +10,8 @@
 
 namespace photonproof::inline harness_verify {
 
-/// What differs is looked at again with new samples before it is said. `probes` decide where nobody else can: of two
-/// that differ, one whose probe of what the scene holds is wrong. Throws VerifyInterrupted.
+/// A difference is reported only after a second test with new samples. `probes` decide where pictures cannot: of two
+/// that differ, the one with a wrong probe of the scene's contents is wrong. Throws VerifyInterrupted.
 VerifyScene verify_scene(const EngineRenderer& renderer, const RenderedScene& scene,
                          const SceneDescription& description, const std::vector<VerifyEngine>& engines,
                          const std::vector<VerifyProbe>& probes);

@@ -11,7 +11,7 @@
 namespace photonproof::inline harness_verify {
 namespace {
 
-/// Of a block and channel: the residual's squares over their variances, once the block's own factor is taken out.
+/// Squares of the residual over their variances, for a block and channel, after dividing by the block's own factor.
 struct Residual {
   double squares = 0, values = 0;
 };
@@ -34,7 +34,7 @@ Residual residual_of(const Deviations& d, const Block& block, std::size_t channe
     const double left = pixel.expected * (1 - factor) + pixel.difference;
     const double noise = std::pow(pixel.standard_error, 2);
     if (noise <= 0) return;
-    residual.squares += std::min(left * left / noise, 100.0);  // one firefly is no other noise
+    residual.squares += std::min(left * left / noise, 100.0);  // limits the weight of one firefly
     residual.values += 1;
   });
   residual.values = std::max(0.0, residual.values - 1);

@@ -8,13 +8,13 @@
 namespace photonproof::inline harness_verify {
 
 struct ReferenceState {
-  bool is_stale = false;  ///< another scene's or renderer's light, else its pixels are not what its variance says
+  bool is_stale = false;  ///< light of another scene or renderer; else its pixels contradict its variance
   std::string sentence;
 };
 
-/// Stale is a reference that is off to one side while its noise is what its variance says: pixels differ within a block
-/// of 8 x 8 as much as both variances allow once the block's own factor is taken out. Precondition: it differs from
-/// `right`, which engines agree on.
+/// A reference is stale if it is off to one side while its noise matches its variance. Then pixels within a block of 8
+/// x 8 differ by as much as both variances allow, after dividing by the block's own factor. Precondition: it differs
+/// from `right`, which engines agree on.
 ReferenceState state_of_reference(const EnginePicture& reference, const EnginePicture& right);
 
 }  // namespace photonproof::inline harness_verify

@@ -1,6 +1,6 @@
 // An engine with a mistake, for tests: planted_engine FAULT PROGRAM ARGUMENTS... runs `photonproof render` or `povray`
-// on a scene in which the mistake is made, or changes its picture. It knows the scene by its ending, .xml, and the
-// picture by -o.
+// on a scene with the mistake, or changes its picture. The scene is the argument that ends in .xml, and the picture
+// follows -o.
 
 #include <algorithm>
 #include <cmath>
@@ -27,7 +27,7 @@ std::string after(const Words& words, const std::string& option) {
   return at == words.end() || at + 1 == words.end() ? "" : *(at + 1);
 }
 
-/// Lights that are no shapes alone: those are seen as bright as they are.
+/// Brightens only point and spot lights, since a shape's own brightness is visible.
 void brighten(SceneDescription& scene) {
   for (EmitterDescription& emitter : scene.emitters) {
     if (auto* point = std::get_if<PointLightDescription>(&emitter.light)) point->intensity = point->intensity * 1.02;
@@ -68,7 +68,7 @@ int run_words(const Words& words) {
   return outcome.end == ProcessOutcome::End::exited ? outcome.exit_code : 1;
 }
 
-/// As with a gamma of 2.2 written where linear values are expected.
+/// Encodes with a gamma of 2.2 where linear values are expected.
 void encode(const std::string& file) {
   Rendering rendering = read_rendering(file);
   for (std::size_t i = 0; i < rendering.mean.rgb.size(); ++i) {
@@ -79,7 +79,7 @@ void encode(const std::string& file) {
   write_exr(file, rendering);
 }
 
-/// The picture without half of its caustic map's light, which its view shows alone.
+/// Subtracts half of the caustic map's light, which a view of it shows alone.
 int halve_caustics(Words words, const std::string& file) {
   const std::string view = file + ".caustics.exr";
   *(std::find(words.begin(), words.end(), "-o") + 1) = view;

@@ -36,7 +36,7 @@ class VerifyTest : public FolderTest {
            "'{threads}', '--checkpoint', '0', '--sampler', 'independent', '--allow-outside', '{budget}'";
   }
 
-  /// Seen from (0, 0, 4) along -z, x to the right.
+  /// The view is from (0, 0, 4) along -z, x to the right.
   void put_scene(const std::string& content, double fov = 40) const {
     put("scene.xml", R"(<scene version="3.0.0"><integrator type="path"/><sensor type="perspective">
       <float name="fov" value=")" +
@@ -55,7 +55,7 @@ class VerifyTest : public FolderTest {
   static std::string glow(const std::string& radiance) {
     return diffuse("0") + R"(<emitter type="area"><rgb name="radiance" value=")" + radiance + R"("/></emitter>)";
   }
-  /// The back wall and one on the left that faces it.
+  /// The back wall, and one on the left that faces it.
   static std::string walls(const std::string& back) {
     return rectangle(R"(<scale value="2"/>)", back) +
            rectangle(R"(<rotate y="1" angle="90"/><translate x="-1.2" z="1"/>)", diffuse("0.6,0.3,0.2"));
@@ -64,7 +64,7 @@ class VerifyTest : public FolderTest {
     return R"(<emitter type="point"><point name="position" value="0.5,0.4,1.4"/><rgb name="intensity" value="4"/>
       </emitter>)";
   }
-  /// Above and to the right, outside of the view.
+  /// A light above and to the right, outside of the view.
   static std::string light() {
     return rectangle(R"(<scale value="0.7"/><rotate x="1" angle="120"/><translate x="0.6" y="2.4" z="1.6"/>)",
                      glow("9,8,7"));

@@ -56,6 +56,16 @@ TEST_F(VerbVerify, engines_that_agree_end_with_0_and_say_what_they_would_have_se
   EXPECT_TRUE(has("out/verify.html"));
 }
 
+TEST_F(VerbVerify, engines_get_the_scene_without_its_answers) {
+  put("expect.toml", "purpose = 'a test'\n");
+  put("reference-24x24.exr", "an answer");
+  put("texture.txt", "needed");
+  put("list.sh", "ls \"$(dirname \"$1\")\" >\"$2/seen.txt\"; exit 1\n");
+  verify(with_row(
+      row("other", "'sh', '" + path("list.sh") + "', '{scene}', '" + folder_.string() + "', '{output}', '{seed}'")));
+  EXPECT_EQ(get("seen.txt"), "list.sh\nrows.toml\nscene.xml\ntexture.txt\n") << status_of_other();
+}
+
 // Every pixel is 2; with the black around the crop the mean is 0.5.
 TEST_F(VerbVerify, picture_of_a_scene_with_a_crop_is_the_crop_alone) {
   put_scene(rectangle(R"(<scale value="9"/>)", glow("2")));
@@ -106,7 +116,7 @@ TEST_F(VerbVerify, two_that_differ_are_both_named) {
   EXPECT_EQ(scene.verdict, "cannot tell which");
   EXPECT_EQ(scene.sentence.rfind("bdpt and odd differ, and nothing says which is wrong", 0), 0u) << scene.sentence;
   ASSERT_EQ(scene.faults.size(), 1u);
-  // One is seen from the other's side: of which pass, yes; the cause may read the other way round.
+  // The fault may be described from either engine's side. The pass is the same, but the cause may be reversed.
   EXPECT_FALSE(scene.faults[0].pass.empty());
 }
 
@@ -157,7 +167,7 @@ TEST_F(VerbVerify, who_may_be_off_by_half_witnesses_nothing) {
   EXPECT_EQ(verdict("0.5"), "undecided");
 }
 
-/// A reference is kept that the scene's light has outgrown by 5 %, though its content is the scene's.
+/// The kept reference differs from the scene's light by 5 %, although its content is the scene's.
 TEST_F(VerbVerify, stored_reference_that_is_off_to_one_side_is_stale) {
   const ProcessOutcome made = run_process(
       {sound, "reference", path("scene.xml"), "--size", "24x24", "--standard-error", "0.02", "--commit", "--quiet"});

@@ -14,17 +14,17 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Of engines.toml. sppm is the photon mapper's code with other settings, and `reference` is one of the others.
+/// Rows of engines.toml. sppm is the photon mapper's code with other settings, and `reference` is one of the others.
 constexpr const char* kVerifying[] = {"path", "bdpt", "ptracer", "volpath", "photonmapper", "povray", "cycles"};
 
 std::vector<Engine> rows_of(const fs::path& file, const std::vector<Engine>& builtin) {
   if (file.empty()) return {};
   const TomlTable document = TomlTable::parse(read_file(file, max_suite_bytes), file.string());
-  return engines_from_toml(document, builtin);  // a suite's other tables are not ours to judge
+  return engines_from_toml(document, builtin);  // other tables of a suite are not checked here
 }
 
-/// Variance layers of stratified samples say too much (harness/statistics/agreement.h), and scenes with a part of their
-/// light lie elsewhere than their textures.
+/// Variance layers of stratified samples overstate the variance (harness/statistics/agreement.h). Scenes with a part of
+/// their light are in another folder than their textures.
 void complete_command(Engine& row) {
   if (row.command.empty() || row.command.front() != "{photonproof}" || row.command.size() < 2) return;
   if (row.command[1] == "render")
@@ -37,7 +37,7 @@ std::string sampling_of_row(const Engine& row) {
   return integrator ? sampling_of(*integrator) : row.name;
 }
 
-/// Of a BSDF or what it nests: whether some light leaves it in one direction alone.
+/// Whether some light leaves the BSDF, or one that it nests, in a single direction.
 bool is_clear(const SceneDescription& scene, BsdfIndex index) {
   const BsdfDescription& bsdf = scene.bsdfs[index.value];
   const BsdfTraits traits = traits_of(bsdf);
@@ -45,7 +45,7 @@ bool is_clear(const SceneDescription& scene, BsdfIndex index) {
          std::ranges::any_of(nested_bsdfs(bsdf), [&](BsdfIndex inner) { return is_clear(scene, inner); });
 }
 
-/// Where what is seen is not known, everything is.
+/// Returns true if the visible objects are unknown.
 bool looks_at_clear_surfaces(const SceneDescription& scene) {
   std::vector<bool> clear;
   for (const ShapeDescription& shape : scene.shapes) clear.push_back(is_clear(scene, shape.bsdf));

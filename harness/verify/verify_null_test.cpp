@@ -1,10 +1,10 @@
-// Pairs of right pictures that verify calls different, by kind of noise: no more of them than alpha and three standard
-// deviations. Sides are pictures with a variance layer of 64 samples, sets of eight pictures without one, and a
-// reference that is known well.
+// Tests verify's false alarms: pairs of right pictures that it calls different, by kind of noise. There may be no more
+// of them than alpha and three standard deviations. Sides are pictures with a variance layer of 64 samples, sets of
+// eight pictures without one, and a well-known reference.
 //
-//   PHOTONPROOF_NULL_RUNS=1000 build/release/bin/verify_unit_test --gtest_filter=verify_null.*
+// PHOTONPROOF_NULL_RUNS=1000 build/release/bin/verify_unit_test --gtest_filter=verify_null.*
 //
-// prints the table of reports/published/null.md; ctest makes it of a few runs.
+// prints the table of reports/published/null.md; ctest makes a smaller one.
 #include <gtest/gtest.h>
 
 #include <cstdio>
@@ -36,12 +36,13 @@ EnginePicture without_layer(Random& random, const Kind& kind) {
   return pooled_picture(parts);
 }
 
-/// Samples over their expectation. `gain` is what a pass of one sample a pixel has in common; those kinds say so.
+/// Samples over their expectation. `gain` is the common factor of a pass of one sample a pixel, for the kinds that have
+/// one.
 struct SampleKind {
   const char* name;
   std::function<double(Random&)> sample;
   double gain = 0;
-  bool photons = false;  ///< squares of 8 pixels share it, not the image, and no error of the mean is known
+  bool photons = false;  ///< squares of 8 pixels share `gain`, not the image; the mean has no known error
 };
 
 std::vector<SampleKind> sample_kinds() {
@@ -68,7 +69,7 @@ struct PassSums {
   double sum[3]{}, squares[3]{};
 };
 
-/// The picture of one engine with its variance layer, of passes of one sample a pixel.
+/// One engine's picture with its variance layer, from passes of one sample a pixel.
 EnginePicture with_layer(Random& random, const SampleKind& kind) {
   constexpr double n = samples_a_pixel;
   EnginePicture picture;
@@ -145,8 +146,8 @@ TEST(verify_null, right_pictures_differ_no_more_often_than_alpha_whatever_their_
         std::string("8 pictures; ") + kind.name, [&](Random& random) { return without_layer(random, kind); }, runs);
 }
 
-// A judgement that calls nothing different has no false alarms either: one of two is off by 5 % everywhere, or by 30 %
-// in one block.
+// A test that never finds a difference has no false alarms either, so errors are planted. One of two pictures is off by
+// 5 % everywhere, or by 30 % in one block.
 TEST(verify_null, an_error_is_found_beside_noise_that_allows_it) {
   const auto off = [](EnginePicture picture, bool in_block) {
     std::vector<Image*> images{&picture.rendering.mean};

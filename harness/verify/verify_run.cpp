@@ -37,7 +37,7 @@ std::string name_of(const fs::path& file) {
   return name;
 }
 
-/// That of the largest reference beside the scene; else the film's, reduced to 64 pixels on its longer side.
+/// Size of the largest reference beside the scene; else the film's, reduced to 64 pixels on its longer side.
 std::pair<int, int> usual_size(const fs::path& file, const FilmDescription& film) {
   for (const int side : {128, 96, 64, 48, 32})
     if (fs::exists(committed_reference_path(file, side, side))) return {side, side};
@@ -58,10 +58,11 @@ ReadScene read_scene(const fs::path& given, const VerifyOptions& options) {
   if (read.scene.expect) read.purpose = read.scene.expect->purpose;
   const auto [width, height] =
       options.width > 0 ? std::pair(options.width, options.height) : usual_size(read.scene.file, film);
-  // A closed form is of the scene's own view, whole.
+  // A closed form describes the scene's whole own view.
   const bool other_shape = film.crop || std::int64_t{width} * film.height != std::int64_t{height} * film.width;
   if (read.scene.expect && other_shape) read.scene.expect->analytic.reset();
   read.scene.crop = crop_of(film, width, height);
+  read.scene.has_answers = true;
   film.crop.reset();
   film.width = read.scene.width = width;
   film.height = read.scene.height = height;
@@ -80,7 +81,7 @@ std::vector<ReadScene> read_scenes(const VerifyOptions& options) {
   return scenes;
 }
 
-/// One that was asked for by name has to be there.
+/// An engine requested by name must be installed.
 void check_engines(const std::vector<VerifyEngine>& engines, const EngineChoice& choice) {
   for (const VerifyEngine& engine : engines)
     if (engine.version.problem && !choice.names.empty())
