@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# How often `photonproof bench --against` calls a slow-down of 3 % that is there, and how often one that is not: sessions
-# of both kinds in turn, each a run of its own. Prints a line a session, and the table that reports/published/against.md
-# holds.
+# Measures how often `photonproof bench --against` finds a slow-down of 3 %, and how often it finds one that does not
+# exist. Sessions of both kinds alternate, each a run of its own. Prints one line per session, and the table in
+# reports/published/against.md.
 #   harness/power_of_against.sh [SESSIONS] [BUILD FOLDER]     default: 100 of each kind, build/release
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -11,7 +11,7 @@ cmake --build "$build" --target photonproof slow_down >/dev/null
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
-# Copies: a build that goes on meanwhile must not change what is measured.
+# Uses copies, so that a simultaneous build cannot change the measured programs.
 cp "$build/bin/photonproof" "$build/bin/slow_down" "$work/"
 for kind in old:0 null:0 planted:0.03; do
   printf '#!/bin/sh\nexec "%s/slow_down" %s "%s/photonproof" "$@"\n' "$work" "${kind#*:}" "$work" >"$work/${kind%:*}"
@@ -29,7 +29,7 @@ for ((session = 1; session <= sessions; ++session)); do
     words=$(bench --program "$work/$kind" --against "$work/out/results.json" --old-program "$work/old" 2>&1) || code=$?
     facts=$(sed -nE 's/.*processor time new\/old ([0-9.]+) .*interval ([0-9.]+) to ([0-9.]+)\), ([0-9]+) rounds/\1 \2 \3 \4/p' <<<"$words")
     case $code in 0) verdict=unchanged ;; 1) verdict=regression ;; 3) verdict=inconclusive ;; *) verdict=failed ;; esac
-    # A session that calls an improvement exits with 0.
+    # A session with an improvement exits with 0.
     if grep -q '% faster' <<<"$words"; then verdict=improvement; fi
     echo "$kind $verdict $facts $(echo "$(date +%s.%N) $began" | awk '{printf "%.1f", $1 - $2}')"
   done

@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Builds the program and its trials, then runs them: a thousand renders in one folder, a thousand kills, every other fault.
+# Builds the program and its trials and runs them: a thousand renders in one folder, a thousand kills, every other
+# fault.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 source harness/setup/packages.sh

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Proves that the autograder's archive runs where nothing but a bare Debian is: as Gradescope does, it is unpacked at
-# /autograder/source, setup.sh is run, a submission is put at /autograder/submission, run_autograder is run.
-#   sudo harness/setup/bare_autograder.sh PHOTONPROOF [FOLDER] [SUITE]    of the release that the program was built on
+# Tests that the autograder's archive runs on a bare Debian. As Gradescope does, it unpacks the archive at
+# /autograder/source and runs setup.sh. Then it puts a submission at /autograder/submission and runs run_autograder.
+#   sudo harness/setup/bare_autograder.sh PHOTONPROOF [FOLDER] [SUITE]    SUITE: the release the program was built on
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 course=$here/../courses/photon-mapping

@@ -1,6 +1,6 @@
 # shellcheck shell=bash
-# A bare Debian root for scripts to source: make_bare makes one, in_bare runs commands in it.
-# Takes the package mirror of this machine. The folder is left for a look; remove it when done.
+# A bare Debian root for scripts to source: make_bare makes one, in_bare runs commands in it. Uses the package mirror of
+# this machine. The folder is kept for inspection; remove it when done.
 
 # make_bare FOLDER SUITE PACKAGES    (PACKAGES separated by commas)
 make_bare() {

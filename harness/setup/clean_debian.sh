@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Proves ./run and ./check on a bare Debian: debootstraps one, clones this repository into it, runs both there.
+# Tests ./run and ./check on a bare Debian: debootstraps one, clones this repository into it, runs both there.
 #   sudo harness/setup/clean_debian.sh [FOLDER] [SUITE] [COMMAND...]    e.g. /var/tmp/bare bookworm ./check
-# The commands are ./run and ./check where none are given; BARE_ENV, "NAME=VALUE ...", is set for each.
+# The default commands are ./run and ./check. BARE_ENV, "NAME=VALUE ...", is set for each command.
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 source "$here/bare_debian.sh"

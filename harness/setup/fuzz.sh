@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
 # Builds every fuzz target with clang's sanitizers, runs each for a while from its stored corpus, and fails on a find.
-#   harness/setup/fuzz.sh [SECONDS_PER_TARGET] [TARGET...]     default: 600 s of each; keeps count in
+#   harness/setup/fuzz.sh [SECONDS_PER_TARGET] [TARGET...]     default: 600 s each; counted in
 #                                                              reports/published/fuzzing.md
-#   harness/setup/fuzz.sh --quick [SECONDS] [TARGET...]        for CI: 6 s of each from the stored corpus alone, the same
-#                                                              inputs each time as far as they get; not counted
-#   harness/setup/fuzz.sh --merge [TARGET...]                  puts what reaches new edges into the stored corpora,
+#   harness/setup/fuzz.sh --quick [SECONDS] [TARGET...]        for CI: 6 s each from the stored corpus alone, always the
+#                                                              same inputs; not counted
+#   harness/setup/fuzz.sh --merge [TARGET...]                  adds inputs that reach new edges to the stored corpora,
 #                                                              smallest first, and counts their edges
-# Found inputs lie in build/fuzz/found/TARGET, new ones of no harm in build/fuzz/inputs/TARGET, where the next run goes on.
+# Finds are in build/fuzz/found/TARGET. Other new inputs are in build/fuzz/inputs/TARGET, where the next run continues.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 source harness/setup/packages.sh
@@ -30,25 +30,25 @@ if [ -z "${TMPDIR:-}" ] && [ -w /dev/shm ]; then export TMPDIR=/dev/shm; fi
 export ASAN_OPTIONS=${ASAN_OPTIONS:-allocator_may_return_null=1:detect_odr_violation=0}
 export UBSAN_OPTIONS=${UBSAN_OPTIONS:-print_stacktrace=1}
 ledger=reports/published/fuzzing.md
-slowest=20  # seconds of the processor that one input may take
+slowest=20  # processor seconds that one input may take
 
-# The last "cov: 1234 ft: 5678" of a log: edges, and edges told apart by how often they were met.
+# The last "cov: 1234 ft: 5678" of a log: the number of edges, and of edges with different hit counts.
 reached() { grep -o 'cov: [0-9]* ft: [0-9]*' "$1" | tail -n 1; }
 executed() { grep -o '^#[0-9][0-9]*' "$1" | tail -n 1 | tr -d '#'; }
 
-# A number that follows from what these sources (beginnings of paths) say, tests aside.
+# A checksum of the contents of these sources (prefixes of paths), without tests.
 state_of() {
   local part
   for part in "$@"; do find "${part%/*}" -type f -path "$part*"; done | grep -E '\.(cpp|h|json)$' | grep -vE '_(test|bench)\.' |
     LC_ALL=C sort -u | xargs sha1sum | sha1sum | cut -c1-10
 }
 
-# libFuzzer measures an input by the clock, so that on a busy machine one of no harm seems to hang. It does if it takes
-# as long by itself, by the processor's time.
+# libFuzzer times an input by the clock, so on a busy machine a harmless input seems to hang. It counts as slow only if
+# it takes as much processor time when run alone.
 is_slow_alone() { (ulimit -t "$slowest" && "build/fuzz/bin/$1" "$2") >/dev/null 2>&1 && return 1 || return 0; }
 
-# fuzz TARGET CORPUS DICTIONARY: false on a find; what it says goes to $log. Sets `runs`, `processor`, seconds that it had
-# of it, and `interrupted`, by Ctrl-C, which is no find.
+# fuzz TARGET CORPUS DICTIONARY: false on a find; output goes to $log. Sets `runs`, `processor` (processor seconds) and
+# `interrupted` (by Ctrl-C, which is no find).
 fuzz() {
   local target=$1 corpus=$2 dictionary=$3 end=$((SECONDS + seconds)) clean=1
   local inputs=build/fuzz/inputs/$target found=build/fuzz/found/$target artifact used
@@ -83,8 +83,8 @@ fuzz() {
   [ "$clean" = 1 ]
 }
 
-# count TARGET CORPUS STATE MINUTES PROCESSOR_MINUTES RUNS EDGES FINDS: adds to the target's row where the sources are the
-# same, else begins it anew; EDGES may be empty.
+# count TARGET CORPUS STATE MINUTES PROCESSOR_MINUTES RUNS EDGES FINDS: adds to the target's row if the sources are the
+# same, else restarts it; EDGES may be empty.
 count() {
   # shellcheck disable=SC2016
   [ -f "$ledger" ] || printf '%s\n' '# Fuzzing' '' \
@@ -119,7 +119,7 @@ while read -r target archive dictionary covers; do
   # shellcheck disable=SC2086
   [ -n "$quick" ] || state=$(state_of $covers)
   if [ -n "$merge" ]; then
-    # Only what reaches an edge that no file of the corpus does, and only inputs that are small enough to be kept.
+    # Adds only inputs that reach an edge that no file of the corpus reaches, and that are small enough to keep.
     before=$(find "$corpus" -type f | wc -l)
     mkdir -p "build/fuzz/inputs/$target"
     "build/fuzz/bin/$target" -merge=1 -use_counters=0 -max_len=4096 "$corpus" "build/fuzz/inputs/$target" >"$log" 2>&1

@@ -1,8 +1,8 @@
-# Fails where an object file of a newer instruction set could bring its instructions into code that older processors
-# run. That takes a function others may be linked to or that runs unasked:
-#   - an inline function or template, which the linker may put in place of another object's, unless its name carries the
-#     lanes of this instruction set alone (LANES as the compiler mangles them; not given: no such function is allowed),
-#   - a function with external linkage; what such objects offer goes through a table of pointers, which is data,
+# Fails if an object file of a newer instruction set could bring its instructions into code that older processors run.
+# Other code may be linked to such a function, or it may run unasked:
+#   - an inline function or template, which the linker may use in place of another object's. It is allowed if its name
+#     contains the lanes of this instruction set alone (LANES as mangled; without LANES none is allowed).
+#   - a function with external linkage. Such objects offer their functions by a table of pointers, which is data.
 #   - the constructors of static variables, which run before main.
 #   cmake -DNM=nm -DOBJECTS="path_kernel.cpp.o;..." -DLANES=_VecBuiltinILi32EE -P isa_symbols_test.cmake
 set(foreign "")

@@ -15,7 +15,7 @@ from pathlib import Path
 from source_tags import room_sources, tags
 from std_includes import NO_CODE, Sources, blank
 
-# Before a name that is used, other than before one that is declared there, as in "auto name" or "class Name".
+# Keywords before a use of a name, not before its declaration, as in "auto name" or "class Name".
 keywords = {"return", "else", "case", "throw", "new", "const", "constexpr", "static", "inline", "friend", "virtual",
             "explicit", "operator", "mutable", "in", "co_return", "delete", "sizeof", "extern", "thread_local", "namespace"}
 

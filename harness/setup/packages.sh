@@ -1,28 +1,28 @@
-# Sourced by ./run and ./check: installs the Debian packages that are missing, and says which; quiet builds.
+# Sourced by ./run and ./check: installs missing Debian packages and names them; quiet builds.
 
-# What the program needs to be built and to run.
+# Packages to build and run the program.
 build_packages="g++ cmake ninja-build pkg-config libembree-dev libopenimageio-dev libopenexr-dev libpng-dev libtbb-dev libpugixml-dev
   libtomlplusplus-dev nlohmann-json3-dev libcli11-dev libfmt-dev libboost-dev libkainjow-mustache-dev
   zlib1g-dev povray bubblewrap libarchive-tools git mount"
-# What the tests need on top.
+# Additional packages for the tests.
 check_packages="libgtest-dev libgmock-dev libvalijson-dev libboost-math-dev clang-format chromium libxml2-utils shellcheck python3-yaml
   universal-ctags zstd xz-utils bzip2"
 
-# What ./run --with-cycles installs: a second unbiased engine to compare with. Nothing needs it.
+# Packages of ./run --with-cycles: a second unbiased engine for comparisons; optional.
 cycles_packages="blender"
 
-# What ./run --bench needs on top: the benchmark library, and a peer to be measured against.
+# Additional packages of ./run --bench: the benchmark library, and a library to compare with.
 bench_packages="libbenchmark-dev libnanoflann-dev"
 
-# The fuzzers also need a compiler with libFuzzer, its sanitizers' libraries, and xz for the corpora.
+# Additional packages for the fuzzers: a compiler with libFuzzer, its sanitizers' libraries, and xz for the corpora.
 fuzz_packages="clang libclang-rt-dev xz-utils"
 
-# What sanitizers.sh needs on top: GCC 12 takes over six minutes for a kernel with checks of addresses, this half a minute
-# (and clang 14 does not know the standard library's packs).
+# Additional packages of sanitizers.sh. GCC 12 compiles a kernel with address checks in over six minutes, this clang in
+# half a minute. (clang 14 cannot compile the standard library's packs.)
 sanitizer_packages="clang-19 libclang-rt-19-dev llvm-19"
 
-# install_packages NAME...: quick when nothing is missing; without root and sudo it lists what is missing and goes on,
-# since the libraries may be there by other means.
+# install_packages NAME...: quick when nothing is missing. Without root and sudo it lists the missing packages and
+# continues, since the libraries may be installed by other means.
 install_packages() {
   if ! command -v apt-get >/dev/null; then
     echo "setup: no apt here; needed are the equivalents of: $*"
@@ -54,8 +54,8 @@ install_packages() {
   rm -f "$log"
 }
 
-# Packages the distribution does not have are left out (Ubuntu has no chromium package, for one); the configure step
-# says what it then does without.
+# Leaves out packages that the distribution does not have (Ubuntu has no chromium package, for example). The configure
+# step reports the missing features.
 install_known() {
   local known=() package
   for package in "$@"; do
@@ -64,7 +64,7 @@ install_known() {
   "${as_root[@]}" apt-get install -y --no-install-recommends "${known[@]}"
 }
 
-# quietly LOG COMMAND...: one line of a command that succeeds, all of one that fails.
+# quietly LOG COMMAND...: prints one line if the command succeeds, and its whole output if it fails.
 quietly() {
   local log=$1
   shift

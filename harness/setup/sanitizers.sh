@@ -1,11 +1,11 @@
 #!/usr/bin/env bash
-# Builds with sanitizers and runs under them; fails where one of them says anything, in whatever process.
+# Builds with sanitizers and runs under them. Fails if one of them reports anything in any process.
 #   harness/setup/sanitizers.sh [--quick | --part K/N] [address] [thread]     default: both; address is address and
 #                                                                            undefined behaviour
-# --quick: the program alone is built, and renders a small scene by every integrator and mode, benchmarks, gates, compares
-# and reports. Without it: every test of the suite (address: 20 minutes to build and 45 to run, on two cores;
-# thread: 20 and 110).
-# --part K/N: every Nth test from the Kth on; parts 1/N to N/N, on as many machines or evenings, are the suite.
+# --quick: builds only the program, renders a small scene by every integrator and mode, benchmarks, gates, compares and
+# reports. Without it: every test of the suite. On two cores address takes 20 minutes to build and 45 to run, thread 20
+# and 110.
+# --part K/N: every Nth test from the Kth on. Parts 1/N to N/N together are the suite.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 source harness/setup/packages.sh
@@ -25,8 +25,8 @@ install_packages $build_packages $sanitizer_packages
 kinds=("$@")
 [ ${#kinds[@]} -gt 0 ] || kinds=(address thread)
 
-# What sanitizers say goes to files, since engines' own words are caught by the harness; a process of which they say
-# something ends with a code that no verb has. What names lines lies beside those files.
+# Sanitizers write to files, since the harness captures engines' output. A process with a report ends with a code that
+# no verb has. The symbolizer is in the folder of those files.
 watched() {
   local log=$1
   local common=exitcode=99:log_path=$log:external_symbolizer_path=${log%/*}/llvm-symbolizer
@@ -36,19 +36,19 @@ watched() {
     TSAN_OPTIONS="$common:report_thread_leaks=0:ignore_noninstrumented_modules=1:suppressions=$PWD/harness/setup/threads_suppressed.txt" "$@"
 }
 
-# Tests that the address checks stand in the way of: limits of address space, of which they map terabytes; what malloc
-# holds, which is theirs; libfaketime, which is loaded before them and ends in a recursion; and eight kills that have to
-# fall after a cell is finished, of which in a program so slow none was seen to.
+# Tests that do not work with address checks. The checks map terabytes, against limits of address space, and replace the
+# malloc whose memory tests measure. They recurse with libfaketime, which is loaded before them. One test needs a kill
+# after a finished cell: none of its eight came so late in a program this slow.
 not_by_address='Escapes.fail/take_memory(_in_many_processes)? |what_does_not_fit_in_memory|needs_memory_for_a_band'
 not_by_address+='|Soak.of_a_sound_program|Soak.within_one_process|Faults.of_every_kind|Faults.find_a_program_that_loses'
-# The thread sanitizer maps and allocates as much, and is five to twenty times as slow: what has to be done in a stated
-# time is not, and what diagnoses pictures, by hundreds of renders, takes hours.
+# The thread sanitizer maps and allocates as much and is 5 to 20 times as slow. Tests with time limits fail, and
+# diagnoses of pictures by hundreds of renders take hours.
 not_by_thread="$not_by_address|Faults.find|PlantedFaults.(index_of|caustic)|BenchVerb.killed_at_any_moment|Diagnosis|HiddenMistakes|StudentMistakes"
 
-# The program does what it is for, once by every integrator and mode.
+# Runs the program's main functions once, by every integrator and mode.
 run_quickly() {
   local program=$1 folder=$2 log=$3
-  # Soaks for one cycle, whose growth is not known then (3).
+  # Soaks for one cycle, which gives no growth, so its exit code is 3.
   watched "$log" "$program-trials" soak --renders 1 -o "$folder/soak" || [ $? = 3 ]
   mkdir -p "$folder/faults"
   watched "$log" "$program-trials" faults --kills 4 --only "kill, bench" -o "$folder/faults"
@@ -72,7 +72,7 @@ for kind in "${kinds[@]}"; do
   rm -rf "$runs"
   mkdir -p "$runs"
   log=$PWD/$runs/said
-  # It complains on standard error, of suppressed reports, too, where tests read it: it does so into nothing.
+  # The symbolizer writes to standard error, also for suppressed reports, and tests read that. This one discards it.
   printf '#!/bin/sh\nexec llvm-symbolizer-19 "$@" 2>/dev/null\n' >"$runs/llvm-symbolizer"
   chmod +x "$runs/llvm-symbolizer"
   if [ -n "$quick" ]; then
@@ -92,7 +92,8 @@ for kind in "${kinds[@]}"; do
   fi
   for file in "$log".*; do
     [ -e "$file" ] || continue
-    # Of a child without exec that a process of several threads forked, whose accesses the thread sanitizer ignores: no find.
+    # Skips reports of a child without exec of a process with threads: the thread sanitizer ignores its accesses, so it
+    # is no find.
     grep -vqE '^$|main thread finished with ignores enabled|^  One of the following ignores' "$file" || continue
     said_something=1
     echo "$file:"

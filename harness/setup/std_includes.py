@@ -11,8 +11,8 @@ import pathlib
 import re
 import sys
 
-# Names of std by the header that declares them. Not every name: those that sources of ours use, and no type that all
-# headers have (size_t).
+# Names of std by the header that declares them: only those that our sources use, and no type that all headers have
+# (size_t).
 NAMES = {
     "algorithm": """adjacent_find all_of any_of binary_search clamp copy copy_if copy_n count count_if equal_range fill
         fill_n find find_if find_if_not for_each generate is_sorted lower_bound max max_element merge min min_element
@@ -69,7 +69,7 @@ NAMES = {
     "vector": "vector",
 }
 HEADER = {name: header for header, names in NAMES.items() for name in names.split()}
-# Names that several headers declare, and headers that the standard says to include others.
+# Names that several headers declare, and headers that include others according to the standard.
 ALSO = {
     "abs": {"cmath", "cstdlib"},
     "function": {"functional"},

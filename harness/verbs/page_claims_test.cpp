@@ -1,5 +1,5 @@
-// What README.md says can be looked up and repeated: its commands name what exists, its counts are those of the files
-// they count, and the figures of the cheap claims are printed again by the commands beside them.
+// Claims of the pages can be looked up and repeated: commands name tests, benchmarks, files and options that exist.
+// Counts are those of the files that they count. The commands beside cheap claims print their figures again.
 
 #include <gtest/gtest.h>
 
@@ -21,9 +21,24 @@ namespace fs = std::filesystem;
 
 const std::string source = PHOTONPROOF_SOURCE_DIR;
 
-std::string readme() { return read_file(source + "/README.md"); }
+/// The pages with claims, one after the other.
+std::string claims() {
+  std::string text;
+  for (const char* page :
+       {"README.md", "CONTRIBUTING.md", "docs/evidence.md", "docs/performance.md", "docs/testing.md"})
+    text += read_file(source + "/" + page) + "\n";
+  return text;
+}
 
-/// Of every match of the pattern, the group; of a table's cell, where `\|` stands for `|`.
+/// Every page, one after the other.
+std::string pages() {
+  std::string text = claims();
+  for (const auto& file : fs::recursive_directory_iterator(source + "/docs"))
+    if (file.path().extension() == ".md") text += read_file(file.path()) + "\n";
+  return text;
+}
+
+/// The group of every match of the pattern. In cells of tables `\|` stands for `|`.
 std::vector<std::string> all(const std::string& text, const std::string& pattern, std::size_t group = 1) {
   std::vector<std::string> found;
   const std::regex regex(pattern);
@@ -42,7 +57,7 @@ struct ListedTest {
 const std::vector<ListedTest>& listed_tests() {
   static const std::vector<ListedTest> tests = [] {
     // Into a file, since of a process's output only the end is kept.
-    const fs::path list = fs::path(PHOTONPROOF_BUILD_DIR) / "readme_claims_tests.json";
+    const fs::path list = fs::path(PHOTONPROOF_BUILD_DIR) / "page_claims_tests.json";
     const ProcessOutcome outcome =
         run_process({"sh", "-c", "ctest --test-dir \"$0\" --show-only=json-v1 >\"$1\"", PHOTONPROOF_BUILD_DIR, list});
     EXPECT_TRUE(outcome.ok()) << outcome.sentence() << outcome.standard_error;
@@ -63,35 +78,35 @@ std::vector<ListedTest> tests_named(const std::string& pattern) {
   return found;
 }
 
-TEST(ReadmeClaims, every_check_that_is_named_has_tests) {
-  std::vector<std::string> patterns = all(readme(), R"re(`\./check "([^"`]+)"`)re");
-  const std::vector<std::string> plain = all(readme(), R"(`\./check ([^"`\s]+)`)");
+TEST(PageClaims, every_check_that_is_named_has_tests) {
+  std::vector<std::string> patterns = all(claims(), R"re(`\./check "([^"`]+)"`)re");
+  const std::vector<std::string> plain = all(claims(), R"(`\./check ([^"`\s]+)`)");
   patterns.insert(patterns.end(), plain.begin(), plain.end());
   EXPECT_GT(patterns.size(), 30u);
   for (const std::string& pattern : patterns)
     EXPECT_TRUE(pattern == "NAME" || !tests_named(pattern).empty()) << "./check " << pattern;
 }
 
-TEST(ReadmeClaims, every_benchmark_that_is_named_exists) {
+TEST(PageClaims, every_benchmark_that_is_named_exists) {
   std::string benches;
   for (const char* folder : {"/renderer", "/harness"})
     for (const auto& file : fs::recursive_directory_iterator(source + folder))
       if (file.path().filename().string().ends_with("_bench.cpp")) benches += read_file(file.path());
-  const std::vector<std::string> names = all(readme(), R"(`\./run --bench ([a-z_]+)`)");
+  const std::vector<std::string> names = all(claims(), R"(`\./run --bench ([a-z_]+)`)");
   EXPECT_GE(names.size(), 4u);
   for (const std::string& name : names) EXPECT_NE(benches.find(name), std::string::npos) << name;
 }
 
-TEST(ReadmeClaims, every_file_that_is_named_exists) {
+TEST(PageClaims, every_file_that_is_named_exists) {
   const std::vector<std::string> paths =
-      all(readme(), R"(((?:scenes|harness|reports|renderer)/[A-Za-z0-9_./-]*[A-Za-z0-9_/]))");
+      all(claims(), R"(((?:scenes|harness|reports|renderer)/[A-Za-z0-9_./-]*[A-Za-z0-9_/]))");
   EXPECT_GT(paths.size(), 30u);
   for (const std::string& path : paths) EXPECT_TRUE(fs::exists(source + "/" + path)) << path;
 }
 
-TEST(ReadmeClaims, every_option_that_is_used_is_one_of_its_verb) {
+TEST(PageClaims, every_option_that_is_used_is_one_of_its_verb) {
   std::size_t options = 0;
-  for (const std::string& line : all(readme(), R"((?:^|\n|`|&& )(photonproof [a-z]+ [^`\n#&]*))")) {
+  for (const std::string& line : all(pages(), R"((?:^|\n|`|&& )(photonproof [a-z]+ [^`\n#&]*))")) {
     std::vector<std::string> command{PHOTONPROOF_BINARY, all(line, R"(^photonproof ([a-z]+))").at(0)};
     if (command.back() == "generate") command.push_back("million");
     command.push_back("--help");
@@ -105,23 +120,23 @@ TEST(ReadmeClaims, every_option_that_is_used_is_one_of_its_verb) {
   EXPECT_GT(options, 30u);
 }
 
-TEST(ReadmeClaims, suites_have_as_many_scenes_and_gates_as_it_says) {
+TEST(PageClaims, suites_have_as_many_scenes_and_gates_as_it_says) {
   const std::string gates = read_file(source + "/harness/suites/gates.toml");
   const std::string scenes = std::to_string(occurrences(gates, R"((^|\n)\[\[scene\]\])"));
-  EXPECT_NE(readme().find("| " + scenes + " scenes, "), std::string::npos) << scenes << " scenes in gates.toml";
+  EXPECT_NE(claims().find("| " + scenes + " scenes, "), std::string::npos) << scenes << " scenes in gates.toml";
   const std::string features = read_file(source + "/harness/suites/gates-features.toml");
   const std::string count = std::to_string(occurrences(features, R"((^|\n)\[\[scene\]\])"));
-  EXPECT_TRUE(std::regex_search(readme(), std::regex("gates of every camera[^|\n]*: " + count + " scenes")))
+  EXPECT_TRUE(std::regex_search(claims(), std::regex("gates of every camera[^|\n]*: " + count + " scenes")))
       << count << " scenes in gates-features.toml";
   const std::vector<std::string> words{"zero", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine"};
   const std::string first = read_file(source + "/harness/suites/first-light.toml");
-  EXPECT_NE(readme().find("renders " + words.at(occurrences(first, R"((^|\n)\[\[scene\]\])")) + " scenes"),
+  EXPECT_NE(claims().find("renders " + words.at(occurrences(first, R"((^|\n)\[\[scene\]\])")) + " scenes"),
             std::string::npos);
 }
 
 /// The row of the table whose command is this, split into its cells.
 std::vector<std::string> row_of(const std::string& command) {
-  for (const std::string& row : all(readme(), R"((?:^|\n)\|([^\n]*)\|(?=\n))")) {
+  for (const std::string& row : all(claims(), R"((?:^|\n)\|([^\n]*)\|(?=\n))")) {
     if (row.find("`" + command + "`") == std::string::npos) continue;
     return all(row + "|", R"(([^|]*)\|)");
   }
@@ -130,7 +145,7 @@ std::vector<std::string> row_of(const std::string& command) {
 
 // A figure is repeated where a number is printed that rounds to it, give or take 1.5 units of its last digit, since
 // processors round differently.
-TEST(ReadmeClaims, cheap_ones_are_repeated) {
+TEST(PageClaims, cheap_ones_are_repeated) {
   for (const char* pattern : {"furnace_by_path", "light_point_by", "light_area_by"}) {
     const std::vector<std::string> cells = row_of("./check " + std::string(pattern));
     ASSERT_EQ(cells.size(), 4u) << pattern;
@@ -150,7 +165,7 @@ TEST(ReadmeClaims, cheap_ones_are_repeated) {
       const double last_digit = std::pow(10.0, -static_cast<double>(claim.size() - claim.find('.') - 1));
       EXPECT_TRUE(std::any_of(figures.begin(), figures.end(),
                               [&](double figure) { return std::abs(figure - value) <= 1.5 * last_digit; }))
-          << "README: " << claim << " for ./check " << pattern << ", which prints\n"
+          << "a page: " << claim << " for ./check " << pattern << ", which prints\n"
           << printed;
     }
   }

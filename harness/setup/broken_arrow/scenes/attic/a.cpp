@@ -1,2 +1,2 @@
-// What an upper room may do.
+// An include that an upper room may have.
 #include "scenes/cellar/c.h"

@@ -1,3 +1,3 @@
-// What a lower room may not.
+// An include that a lower room must not have.
 #include "scenes/attic/a.h"
 namespace photonproof {

@@ -1,4 +1,4 @@
-// What own_includes.py must refuse.
+// Input that own_includes.py must refuse.
 #pragma once
 
 namespace photonproof {
