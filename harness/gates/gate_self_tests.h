@@ -43,7 +43,8 @@ struct VerdictCounts {
 struct SelfTest {
   std::vector<std::string> gates;
   std::vector<GateVariant> variants;
-  std::vector<std::vector<VerdictCounts>> counts;  ///< Results by variant and gate; 0 runs where the gate cannot have the variant.
+  std::vector<std::vector<VerdictCounts>>
+      counts;  ///< Results by variant and gate; 0 runs where the gate cannot have the variant.
   /// Runs in which at least one gate fails, by variant. Runs 0: no gate can have it, or none was judged.
   std::vector<VerdictCounts> any;
   std::vector<double> alphas;          ///< By gate.

@@ -23,7 +23,8 @@ bool has_water(const SceneDescription& scene) {
          });
 }
 
-/// A performance-engineering course's photon mapper, as far as ours has the same. docs/formats/scene.md lists the differences.
+/// A performance-engineering course's photon mapper, as far as ours has the same. docs/formats/scene.md lists the
+/// differences.
 std::string apply_course(SceneDescription& scene, bool size_is_asked_for) {
   constexpr int pixels = 600, shadow_rays = 6 * 6, depth = 6;
   const bool water = has_water(scene);
