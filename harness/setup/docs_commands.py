@@ -5,7 +5,8 @@
 
 A block ```console has commands, which begin with "$ " ("> " continues them), and their output. One bash session runs all
 blocks of a page in an empty folder with copies of the folders scenes and harness. A number stands for any number, a line
-"..." for any lines, and " ..." at the end of a line for the rest of it. A block ```sh is not run; the line above it says why:
+"..." for any lines, and " ..." at the end of a line for the rest of it. <!-- as in PAGE --> above a block says that PAGE
+runs it: the block's lines must be there, in this order. A block ```sh is not run; the line above it says why:
 <!-- not run: REASON -->. A page with <!-- needs: bwrap --> is skipped (77) where that program does not work.
 """
 import os
@@ -27,17 +28,32 @@ class Command:
         self.line, self.text, self.output = line, text, []
 
 
-def commands_of(page, text):
+class Elsewhere:
+    """A page that runs a block's commands."""
+
+    def __init__(self, page):
+        self.page, self.lines = page, iter(page.read_text().split("\n"))
+
+    def has_next(self, content):
+        return content == "..." or content in self.lines
+
+
+def commands_of(page, text, root):
     """The commands of all console blocks; a shell block without a reason is a problem."""
-    commands, problems, fence, above = [], [], None, ""
+    commands, problems, fence, above, elsewhere = [], [], None, "", None
     for line, content in enumerate(text.split("\n"), 1):
         mark = re.match(r"\s*```(\w*)", content)
         if mark and fence is None:
             fence = mark[1]
+            other = re.match(r"<!-- as in (\S+) -->", above)
+            elsewhere = Elsewhere(root / other[1]) if other else None
             if fence in ("sh", "bash", "shell") and not re.match(r"<!-- not run: .+ -->", above):
                 problems.append(f"{page}:{line}: a block that is not run needs a line <!-- not run: REASON --> above it")
         elif mark:
             fence = None
+        elif fence == "console" and elsewhere:
+            if not elsewhere.has_next(content):
+                problems.append(f"{page}:{line}: {elsewhere.page.relative_to(root)} has no such line here")
         elif fence == "console":
             if content.startswith("$ "):
                 commands.append(Command(line, content[2:]))
@@ -98,7 +114,7 @@ def missing_program(text):
 
 def main(program, root, page):
     text = (root / page).read_text()
-    commands, problems = commands_of(page, text)
+    commands, problems = commands_of(page, text, root)
     if missing := missing_program(text):
         print(f"{page}: skipped, {missing} does not work here")
         return skipped

@@ -57,13 +57,14 @@ TEST_F(VerbVerify, engines_that_agree_end_with_0_and_say_what_they_would_have_se
 }
 
 TEST_F(VerbVerify, engines_get_the_scene_without_its_answers) {
-  put("expect.toml", "purpose = 'a test'\n");
-  put("reference-24x24.exr", "an answer");
+  put("expect.toml", "purpose = 'a test'\nexposure = 0.0\n");
+  put("reference-32x32.exr", "an answer");
   put("texture.txt", "needed");
   put("list.sh", "ls \"$(dirname \"$1\")\" >\"$2/seen.txt\"; exit 1\n");
-  verify(with_row(
+  const ProcessOutcome outcome = verify(with_row(
       row("other", "'sh', '" + path("list.sh") + "', '{scene}', '" + folder_.string() + "', '{output}', '{seed}'")));
-  EXPECT_EQ(get("seen.txt"), "list.sh\nrows.toml\nscene.xml\ntexture.txt\n") << status_of_other();
+  ASSERT_TRUE(has("seen.txt")) << outcome.standard_error;
+  EXPECT_EQ(get("seen.txt"), "list.sh\nrows.toml\nscene.xml\ntexture.txt\n");
 }
 
 // Every pixel is 2; with the black around the crop the mean is 0.5.
