@@ -66,6 +66,7 @@ std::optional<Accepted> accept_reference(const GateSuite& suite, const AcceptOpt
                                 size_text(scene.width, scene.height),
                                 "--fresh",
                                 "--quiet",
+                                "--witness",  // as --commit asks for
                                 "-o",
                                 exr.string()};
   if (old) argv.insert(argv.end(), {"--integrator", old->provenance.estimator});  // as independent as the old one

@@ -396,11 +396,13 @@ TEST_F(GateVerb, accepting_needs_a_reason_and_keeps_it_with_old_and_new) {
   const ProcessOutcome outcome = run_process(with, {.wall_limit_seconds = 120});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.standard_error;
   const StoredReference now = load_reference(folder_ / "scene.xml", width, height);
-  ASSERT_EQ(now.provenance.state_of_path.size(), 1u);
-  const Acceptance& acceptance = now.provenance.state_of_path[0];
+  ASSERT_EQ(now.provenance.acceptances.size(), 1u);
+  const Acceptance& acceptance = now.provenance.acceptances[0];
   EXPECT_EQ(acceptance.reason.rfind("the light is a sphere now (accepted by ", 0), 0u) << acceptance.reason;
   EXPECT_NE(acceptance.reason.find("relmse"), std::string::npos) << acceptance.reason;
   EXPECT_NE(acceptance.before, acceptance.after);
+  ASSERT_TRUE(now.provenance.witness) << "a second estimator agrees, as --commit demands";
+  EXPECT_NE(now.provenance.witness->estimator, now.provenance.estimator);
 }
 
 }  // namespace

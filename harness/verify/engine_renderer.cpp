@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <map>
 #include <utility>
 
@@ -47,6 +48,14 @@ double stated_bias(const Result& result) {
 bool is_refusal(const Result& result, const VerifyEngine& engine) {
   return result.status == Status::unsupported ||
          (engine.is_ours && result.status == Status::crash && result.detail.starts_with("exited with 2"));
+}
+
+/// The losses that the engine declared, with the scene's own path in place of the copy's.
+std::vector<std::string> losses_of(const Result& result) {
+  std::vector<std::string> losses;
+  for (const std::string& caveat : result.caveats)
+    if (caveat.starts_with(declared_by_engine)) losses.push_back(caveat.substr(std::strlen(declared_by_engine)));
+  return losses;
 }
 
 ImageSourceOptions source_options(const EngineRendererOptions& options) {
@@ -139,7 +148,7 @@ EngineRender EngineRenderer::render_samples(const RenderedScene& scene, const Ve
     if (const std::string why = why_variance_is_lost(parts.back().rendering.mean); !why.empty())
       return {std::nullopt, Status::unsupported, "its picture " + why, result.command};
     EngineStats stats = source_.stats_of(drawn);
-    picture.losses = std::move(stats.losses);
+    picture.losses = losses_of(result);
     picture.cannot_find = std::move(stats.cannot_find);
     bias = std::max(bias, stated_bias(result));
     render.command = result.command;

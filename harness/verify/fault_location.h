@@ -32,8 +32,8 @@ class FaultLocator {
   VerifyFault locate(const Suspect& odd, const std::vector<Believed>& right) const;
 
  private:
-  void look_for_pass(const Suspect& odd, const std::vector<Believed>& right, const PairTest& whole,
-                     VerifyFault& fault) const;
+  /// `of_whole`: the largest relative difference of the whole scene.
+  void look_for_pass(const Suspect& odd, const std::vector<Believed>& right, double of_whole, VerifyFault& fault) const;
   RenderedScene write_pass(const std::string& name, const SceneDescription& pass) const;
   void draw(const EnginePicture& right, const EnginePicture& odd, const std::string& name, VerifyFault& fault) const;
 

@@ -84,6 +84,14 @@ void name_places(const Deviations& d, PairTest& test) {
   test.sentence += "; " + place;
 }
 
+/// Sum of a channel over a tile.
+double light_in(const Image& image, const FailingTile& tile, std::size_t c) {
+  double sum = 0;
+  for (int y = tile.y; y < tile.y + tile.height; ++y)
+    for (int x = tile.x; x < tile.x + tile.width; ++x) sum += double{image.pixel(x, y)[c]};
+  return sum;
+}
+
 }  // namespace
 
 Deviations deviations_between(const EnginePicture& first, const EnginePicture& second) {
@@ -184,6 +192,16 @@ PairTest test_against_closed_form(const RgbD& mean, const EnginePicture& picture
 
 std::optional<double> would_see_alone(const EnginePicture& picture) {
   return judge_whole(noise_of({picture.rendering, picture.images}).whole, pair_alpha).would_see;
+}
+
+double largest_difference(const PairTest& test, const EnginePicture& first, const EnginePicture& second) {
+  double largest = 0;
+  for (const double shift : test.shift) largest = std::max(largest, std::abs(shift));
+  for (const FailingTile& tile : test.tiles)
+    for (std::size_t c = 0; c < 3; ++c)
+      if (const double expected = light_in(first.rendering.mean, tile, c); expected > 0)
+        largest = std::max(largest, std::abs(light_in(second.rendering.mean, tile, c) / expected - 1));
+  return largest;
 }
 
 }  // namespace photonproof::inline harness_verify

@@ -50,6 +50,9 @@ PairTest test_pair(const EnginePicture& first, const EnginePicture& second, doub
 /// Compares the picture's mean with that of a closed form, which counts as right to 1e-5.
 PairTest test_against_closed_form(const RgbD& mean, const EnginePicture& picture);
 
+/// Largest relative difference between the pictures of a test, in a channel of the whole image or of a failing tile.
+double largest_difference(const PairTest& test, const EnginePicture& first, const EnginePicture& second);
+
 /// Minimum detectable error of the picture against one without noise.
 std::optional<double> would_see_alone(const EnginePicture& picture);
 

@@ -154,6 +154,19 @@ TEST(PairTest, more_than_bright_samples_carry_differs_beside_them) {
   EXPECT_FALSE(test.is_undecided);
 }
 
+// A tile of 8 x 8 is 30 % darker: 64 of 768 pixels, so that the whole image is about 2.5 % darker.
+TEST(PairTest, largest_difference_is_that_of_the_worst_tile) {
+  const EnginePicture first = noisy(1, 1, 0.002);
+  EnginePicture second = noisy(2, 1, 0.002);
+  for (int y = 8; y < 16; ++y)
+    for (int x = 8; x < 16; ++x)
+      for (std::size_t c = 0; c < 3; ++c)
+        second.rendering.mean.rgb[3 * static_cast<std::size_t>(y * kWidth + x) + c] *= 0.7f;
+  EXPECT_NEAR(largest_difference(test_pair(first, second), first, second), 0.3, 0.01);
+  const EnginePicture equal = noisy(3, 1, 0.002);
+  EXPECT_LT(largest_difference(test_pair(first, equal), first, equal), 0.001);
+}
+
 TEST(PairTest, of_a_closed_form_is_of_the_mean) {
   // Neighbouring values of the gradient are channels.
   const auto mean = [](int c) { return 0.3 + 0.5 * (3.0 * (kWidth - 1) / 2 + c) / (3 * kWidth); };

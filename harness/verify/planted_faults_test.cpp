@@ -52,6 +52,12 @@ TEST_F(PlantedFaults, diffuse_surfaces_without_the_cosine) {
   expect_blamed(row("odd", render_command(before, "path") + ", '--isa', 'v2'"), {"bdpt", "volpath"}, "direct");
 }
 
+// A 32nd of the albedos leaves a trace of the missing light in the pass before, in a few blocks.
+TEST_F(PlantedFaults, light_after_two_reflections_that_is_left_out) {
+  put_scene(walls(diffuse("0.9")) + light());
+  expect_blamed(row("odd", render_command("'" + sound + "'", "direct")), {"path", "volpath"}, "indirect");
+}
+
 TEST_F(PlantedFaults, caustic_map_at_half_its_power) {
   put_scene(walls(diffuse("0.5")) + light() + glass_ball());
   const std::string command = render_command("'" PLANTED_ENGINE "', 'half-caustic', '" + sound + "'", "photonmapper");

@@ -43,7 +43,7 @@ struct Provenance {
   std::map<std::string, std::string> versions;
   std::string host;
   std::string date;                       ///< UTC, ISO 8601
-  std::vector<Acceptance> state_of_path;  ///< oldest first
+  std::vector<Acceptance> acceptances;  ///< oldest first
   friend bool operator==(const Provenance&, const Provenance&) = default;
 };
 

@@ -39,7 +39,7 @@ void describe(V& v, Provenance& r) {
   v.field("host", r.host);
   v.field("versions", r.versions);
   v.field("pixels", r.pixels, {.says = "checksum of the stored mean and variance"});
-  v.field("history", r.state_of_path, {.says = "oldest first"});
+  v.field("history", r.acceptances, {.says = "oldest first"});
   v.field("seeds", r.seeds, {.says = "one an independent batch"});
   v.maybe("bias", r.bias, {.says = "relative, as the estimator knows it itself"});
   v.maybe("witness", r.witness);

@@ -22,7 +22,7 @@ Provenance sample() {
   p.versions = {{"photonproof", "photonproof 0.1.0 (abc)"}, {"embree", "3.13.5"}};
   p.host = "A \"CPU\", 2 cores";
   p.date = "2026-01-31T12:00:00Z";
-  p.state_of_path = {{"2026-02-01T00:00:00Z", "the light moved", {{"pixels", "1"}}, {{"pixels", "2"}}}};
+  p.acceptances = {{"2026-02-01T00:00:00Z", "the light moved", {{"pixels", "1"}}, {{"pixels", "2"}}}};
   return p;
 }
 

@@ -193,13 +193,13 @@ Provenance commit_reference(const fs::path& scene_file, const Rendering& renderi
   }
   if (good && old->date == provenance.date && old->seeds == provenance.seeds) return *old;  // there already
   if (good && reason.empty()) throw InputError(exr.string(), reason_is_missing);
-  if (old) provenance.state_of_path = old->state_of_path;
+  if (old) provenance.acceptances = old->acceptances;
   const Provenance written = write_reference(exr, rendering, provenance, ReferenceSamples::halves);
   if (!old) return written;
   const std::string why = !reason.empty()                            ? reason
                           : old->scene_hash != provenance.scene_hash ? "the scene has changed"
                                                                      : "the old one was damaged";
-  provenance.state_of_path.push_back({utc_now(), why, facts(*old), facts(written)});
+  provenance.acceptances.push_back({utc_now(), why, facts(*old), facts(written)});
   return write_reference(exr, rendering, provenance, ReferenceSamples::halves);
 }
 

@@ -236,16 +236,16 @@ TEST_F(ReferenceStore, good_reference_is_replaced_with_a_reason_only_and_both_ar
                 ": error: is a good reference of this scene: say why it is replaced with --reason TEXT");
   commit_reference(scene(), image(0.4f), better, "the light is brighter");
   const StoredReference stored = load_reference(scene(), 5, 4);
-  ASSERT_EQ(stored.provenance.state_of_path.size(), 1u);
-  EXPECT_EQ(stored.provenance.state_of_path[0].reason, "the light is brighter");
-  EXPECT_EQ(stored.provenance.state_of_path[0].before, facts(first));
-  EXPECT_EQ(stored.provenance.state_of_path[0].after, facts(stored.provenance));
+  ASSERT_EQ(stored.provenance.acceptances.size(), 1u);
+  EXPECT_EQ(stored.provenance.acceptances[0].reason, "the light is brighter");
+  EXPECT_EQ(stored.provenance.acceptances[0].before, facts(first));
+  EXPECT_EQ(stored.provenance.acceptances[0].after, facts(stored.provenance));
 
   put("scene.xml", scene_text + "<!-- moved -->");
   commit(image(0.5f));  // the old one is out of date, so no reason is needed
   const Provenance third = load_reference(scene(), 5, 4).provenance;
-  ASSERT_EQ(third.state_of_path.size(), 2u);
-  EXPECT_EQ(third.state_of_path[1].reason, "the scene has changed");
+  ASSERT_EQ(third.acceptances.size(), 2u);
+  EXPECT_EQ(third.acceptances[1].reason, "the scene has changed");
 }
 
 TEST_F(ReferenceStore, committing_the_same_reference_again_changes_nothing) {
