@@ -8,6 +8,7 @@
 #include <sstream>
 #include <string>
 
+#include "harness/verbs/usage/name_hints.h"
 #include "harness/verbs/verbs.h"
 #include "scenes/base/input_error.h"
 #include "scenes/base/utf8.h"
@@ -21,26 +22,18 @@ void print_lines(const std::string& text) {
   for (std::string line; std::getline(lines, line);) std::fprintf(stderr, "%s\n", printable(line).c_str());
 }
 
-/// The first argument where it should name a verb and names none; CLI11 says only that one is required.
-std::string unknown_verb(const CLI::App& program, int argc, char** argv) {
-  const std::string first = argc > 1 ? argv[1] : "";
-  const auto has_that_name = [&](const CLI::App* verb) { return verb->get_name() == first; };
-  return first.starts_with('-') || !program.get_subcommands(has_that_name).empty() ? "" : first;
-}
-
 }  // namespace
 
 int run_program(CLI::App& program, int argc, char** argv, const int& exit_code) {
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    std::ostringstream help, complaint;
-    const int code = program.exit(error, help, complaint);
-    const std::string unknown = unknown_verb(program, argc, argv);
-    if (code != 0 && !unknown.empty()) complaint.str("'" + unknown + "' is no verb; --help lists them");
+    std::ostringstream help, unused;
+    const int code = program.exit(error, help, unused);
     std::printf("%s", help.str().c_str());
-    print_lines(complaint.str());
-    return code == 0 ? 0 : 2;
+    if (code == 0) return 0;
+    print_lines(complaint_about(program, error));
+    return 2;
   } catch (const InputError& error) {
     const bool terminal = isatty(STDERR_FILENO) != 0;
     std::fprintf(stderr, "%s\n", terminal ? error.what() : error.summary().c_str());

@@ -96,7 +96,7 @@ TEST_F(Soak, is_no_verb_of_the_program) {
   for (const char* trial : {"soak", "faults"}) {
     const ProcessOutcome outcome = run_process({PHOTONPROOF_BINARY, trial, "-o", folder_ / "out"});
     EXPECT_EQ(outcome.exit_code, 2);
-    EXPECT_EQ(outcome.standard_error, "'" + std::string(trial) + "' is no verb; --help lists them\n");
+    EXPECT_EQ(outcome.standard_error, "unknown verb '" + std::string(trial) + "'; photonproof --help lists all\n");
     EXPECT_EQ(outcome.standard_output, "");
     const ProcessOutcome help = run_process({PHOTONPROOF_BINARY, "--help"});
     EXPECT_EQ(help.standard_output.find(trial), std::string::npos) << help.standard_output;
