@@ -14,6 +14,9 @@ struct PovrayArguments {
   PovrayOptions options;
 };
 
+/// The digit of a quality that a user names or gives as a digit. Throws CLI::ValidationError for another.
+std::string povray_quality_digit(const std::string& text);
+
 /// The scene's options, -o, --grid, --quality, --seed.
 void add_povray_arguments(CLI::App& verb, PovrayArguments& arguments, const std::string& output_help);
 

@@ -52,10 +52,8 @@ std::string apply_course(SceneDescription& scene, bool size_is_asked_for) {
 
 const std::vector<RenderPreset>& render_presets() {
   static const std::vector<RenderPreset> presets{{"course",
-                                                  "course: as the scenes course-1 to course-3 were set as an "
-                                                  "assignment, with photonmapper, 600x600, an irradiance "
-                                                  "cache, 36 shadow rays a pixel",
-                                                  1, apply_course}};
+                                                  "course: photonmapper at 600x600, as the course assigns it", 1,
+                                                  apply_course}};
   return presets;
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "harness/verbs/usage/verb_usage.h"
 #include "scenes/parser/parser.h"
 
 namespace photonproof::inline harness_verbs {
@@ -25,12 +26,15 @@ void apply_size(const std::string& size, FilmDescription& film) {
 }
 
 void add_scene_options(CLI::App& verb, SceneOptions& options) {
+  begin_option_group(verb, input_group);
   verb.add_option("SCENE", options.path, "scene XML")->required();
-  verb.add_option("-D,--define", options.defines, "name=value for the scene's $name")
+  verb.add_option("-D,--define", options.defines, "value for the scene's $name; may be repeated")
+      ->type_name("NAME=VALUE")
       ->take_all()
       ->allow_extra_args(false);
   verb.add_option("--size", options.size,
-                  "WIDTHxHEIGHT of the whole film instead of its own; a crop in the scene keeps its share");
+                  "size of the whole film (default: the scene's); a crop in the scene keeps its share")
+      ->type_name("WxH");
   verb.add_flag("--allow-outside", options.allow_outside, "let the scene name files outside its folder");
 }
 

@@ -11,6 +11,7 @@
 #include "harness/bench/bench.h"
 #include "harness/verbs/interrupt.h"
 #include "harness/verbs/scene_options.h"
+#include "harness/verbs/usage/verb_usage.h"
 #include "harness/verbs/verbs.h"
 #include "harness/verbs/versions.h"
 #include "reports/formats/markdown_report.h"
@@ -199,48 +200,65 @@ int run(const BenchArguments& arguments) {
   return exit_code_of(arguments, summary);
 }
 
+void add_suite_options(CLI::App& verb, BenchArguments& arguments) {
+  begin_option_group(verb, input_group);
+  verb.add_option("suite", arguments.suite, "suite (TOML)")->required();
+  verb.add_option("--only", arguments.only, "run only cells whose label contains this, e.g. cornell/path");
+  verb.add_option("--program", arguments.program,
+                  "program that {photonproof} stands for in engines (default: this one)");
+  begin_option_group(verb, output_group);
+  verb.add_option("-o,--output", arguments.output, "results folder (default: out/NAME of the suite)");
+  verb.add_flag("--report,!--no-report", arguments.report, "write report.html and report.md (default)");
+  verb.add_flag("--json", arguments.json, "print the summary as JSON");
+  begin_option_group(verb, run_group);
+  verb.add_flag("--fresh", arguments.fresh, "measure finished cells again; their old results stay beside the new ones");
+  verb.add_flag("--retry", arguments.retry, "measure cells again that timed out, crashed or wrote a bad image");
+}
+
+void add_against_options(CLI::App& verb, BenchArguments& arguments) {
+  begin_option_group(verb, "Comparison with an older run");
+  auto* against = verb.add_option("--against", arguments.against,
+                                  "results.json of the older run; report what became slower or worse");
+  verb.add_option("--old-program", arguments.old_program,
+                  "older program to run next to the new one (default: compare stored numbers)")
+      ->needs(against);
+  verb.add_option("--against-seconds", arguments.limits.seconds, "most seconds for each scene and engine")
+      ->check(CLI::Range(0.0, 1e6))
+      ->check(is_finite_number)
+      ->capture_default_str();
+  verb.add_option("--against-rounds", arguments.limits.most_rounds, "most rounds for each scene and engine")
+      ->check(CLI::Range(1, 100000))
+      ->capture_default_str();
+  verb.add_option("--slower", arguments.slower_percent, "percent of processor time that count as slower")
+      ->check(CLI::Range(0.01, 1000.0))
+      ->check(is_finite_number)
+      ->capture_default_str();
+  verb.add_option("--more-error", arguments.error_percent, "percent of relmse that count as worse")
+      ->check(CLI::Range(0.01, 1000.0))
+      ->check(is_finite_number)
+      ->capture_default_str();
+}
+
 }  // namespace
 
 void add_bench_verb(CLI::App& program, int& exit_code) {
   auto arguments = std::make_shared<BenchArguments>();
-  CLI::App* verb = program.add_subcommand(
-      "bench",
-      "Run a suite: every scene, engine, budget and seed in a process of its own; finished cells are kept.\n"
-      "Exit codes: 0 done; 1 a cell timed out, crashed or wrote a bad image, or --against found a regression; 2 bad\n"
-      "input or an engine that cannot be started; 3 --against could not tell; 130 interrupted");
-  verb->add_option("suite", arguments->suite, "suite (TOML)")->required();
-  verb->add_option("-o,--output", arguments->output, "results folder (default: out/<name of the suite>)");
-  verb->add_flag("--fresh", arguments->fresh,
-                 "measure finished cells again; their old results stay beside the new ones");
-  verb->add_flag("--retry", arguments->retry, "measure cells again that timed out, crashed or wrote a bad image");
-  verb->add_option("--only", arguments->only, "run only cells whose label contains this, e.g. cornell/path");
-  verb->add_option("--program", arguments->program, "what {photonproof} stands for in engines (default: this program)");
-  auto* against = verb->add_option(
-      "--against", arguments->against,
-      "results.json of an older run: say what became slower or more wrong since, by its stored numbers unless "
-      "--old-program names the program to run");
-  verb->add_option(
-          "--old-program", arguments->old_program,
-          "the older program: it runs again next to the new one, on one processor at the same time, until their ratio "
-          "is known")
-      ->needs(against);
-  verb->add_option("--against-seconds", arguments->limits.seconds, "at most, for each scene and engine")
-      ->check(CLI::Range(0.0, 1e6))
-      ->check(is_finite_number)
-      ->capture_default_str();
-  verb->add_option("--against-rounds", arguments->limits.most_rounds, "at most, for each scene and engine")
-      ->check(CLI::Range(1, 100000))
-      ->capture_default_str();
-  verb->add_option("--slower", arguments->slower_percent, "percent of processor time that count as slower")
-      ->check(CLI::Range(0.01, 1000.0))
-      ->check(is_finite_number)
-      ->capture_default_str();
-  verb->add_option("--more-error", arguments->error_percent, "percent of relmse that count as more wrong")
-      ->check(CLI::Range(0.01, 1000.0))
-      ->check(is_finite_number)
-      ->capture_default_str();
-  verb->add_flag("--json", arguments->json, "print the summary as JSON");
-  verb->add_flag("--report,!--no-report", arguments->report, "write report.html and report.md (default)");
+  CLI::App* verb = add_verb(
+      program,
+      {.name = "bench",
+       .group = measure_group,
+       .purpose = "Run a suite: every scene, engine, budget and seed in its own process",
+       .examples =
+           {"photonproof bench harness/suites/first-light.toml",
+            "photonproof bench harness/suites/first-light.toml -o out/new --against out/first-light/results.json"},
+       .exit_codes = {done,
+                      {1, "a cell timed out, crashed or wrote a bad image, or --against found a regression"},
+                      {2, "bad input or usage, or an engine cannot be started"},
+                      {3, "--against could not decide"},
+                      internal_error,
+                      interrupted_and_kept}});
+  add_suite_options(*verb, *arguments);
+  add_against_options(*verb, *arguments);
   verb->callback([arguments, &exit_code] { exit_code = run(*arguments); });
 }
 

@@ -16,6 +16,7 @@
 #include "harness/metrics/metric_bounds.h"
 #include "harness/pixels/data_windows.h"
 #include "harness/statistics/agreement.h"
+#include "harness/verbs/usage/verb_usage.h"
 #include "harness/verbs/verbs.h"
 #include "scenes/base/input_error.h"
 #include "scenes/base/text_numbers.h"
@@ -322,10 +323,10 @@ void add_parameter_options(CLI::App& verb, ParameterValues& values) {
     const auto set = [&values, &parameter, name](const std::vector<std::string>& texts) {
       if (const auto problem = set_from(texts, parameter, values)) throw InputError(name, *problem);
     };
-    std::string help = parameter.meaning + (range.empty() ? "" : ", " + range);
-    if (parameter.without) help += std::string("; without it ") + parameter.without;
+    const std::string help = parameter.meaning + (range.empty() ? "" : ", " + range);
     CLI::Option* option = verb.add_option_function<std::vector<std::string>>(name, set, help);
     option->type_name(parameter.argument)->expected(static_cast<int>(number_count(parameter)));
+    if (parameter.without) option->default_str(parameter.without);
     if (number_count(parameter) > 1) continue;
     option->default_str(value_text(parameter, values))->check([&parameter](const std::string& text) {
       ParameterValues tried;
@@ -335,70 +336,88 @@ void add_parameter_options(CLI::App& verb, ParameterValues& values) {
 }
 
 void add_agreement_options(CLI::App& verb, CompareOptions& options, CLI::Option* mask) {
+  begin_option_group(verb, "Agreement of two noisy images");
   CLI::Option* agreement =
       verb.add_flag("--agreement", options.agreement,
-                    "exit with 2 unless both may be noisy images of the same: needs the variance channels of renders "
-                    "with --sampler independent and 64 samples a pixel or more");
+                    "fail unless both are noisy images of one mean; needs variance and --sampler independent");
   agreement->excludes(mask)->excludes("--region");
   verb.add_flag("--shared-noise", options.shared_noise,
-                "with --agreement: pixels of an image vary together, as where they share photons (images of our photon "
-                "mapper say so themselves); blocks of pixels are not judged then")
+                "pixels of an image vary together, as with shared photons: judge no blocks of pixels")
       ->needs(agreement);
+}
+
+/// Returns --mask, which other options exclude.
+CLI::Option* add_image_options(CLI::App& verb, CompareOptions& options) {
+  begin_option_group(verb, input_group);
+  verb.add_option("REF", options.reference, "reference image: linear EXR, or sRGB of 8 or 16 bits")->required();
+  verb.add_option("TEST", options.test, "test image of the same size")->required();
+  verb.add_option("--layer", options.layer, "layer, part or channel of EXR files to read (default: R, G, B)")
+      ->type_name("NAME");
+  verb.add_option("--region", options.region, "compare only this part, as if both images were cropped to it")
+      ->expected(4)
+      ->type_name("X Y WIDTH HEIGHT");
+  CLI::Option* mask = verb.add_option("--mask", options.mask, "count only pixels where this image is not 0");
+  return mask->type_name("FILE");
+}
+
+void add_metric_options(CLI::App& verb, CompareOptions& options) {
+  begin_option_group(verb, "Metrics");
+  verb.add_option("--metrics", options.metrics.only, "compute only these metrics and those with a bound")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->type_name("NAME,...");
+  for (const MetricRow& row : metric_rows())
+    if (row.on_request)
+      verb.add_flag_callback(
+          option_of(row.name), [&options, &row] { options.metrics.also.emplace_back(row.name); },
+          std::string("compute ") + row.name + ", too; a bound on it does so as well");
+  add_parameter_options(verb, options.metrics.parameters);
+  begin_option_group(verb, "Bounds");
+  verb.add_option("--warn", options.warn, "exit with 1 when broken; a minimum for psnr and ssim; may be repeated")
+      ->type_name("METRIC=BOUND")
+      ->take_all()
+      ->allow_extra_args(false);
+  verb.add_option("--fail", options.fail, "exit with 2 when broken; may be repeated")
+      ->type_name("METRIC=BOUND")
+      ->take_all()
+      ->allow_extra_args(false);
+}
+
+void add_compare_outputs(CLI::App& verb, CompareOptions& options) {
+  begin_option_group(verb, output_group);
+  verb.add_option("--heatmaps", options.heatmap_folder, "folder for TEST-flip.png and TEST-error.png")
+      ->type_name("FOLDER");
+  verb.add_flag("--json", options.json, "print one JSON object instead of lines");
+  begin_option_group(verb, run_group);
+  verb.add_option("--threads", options.metrics.threads, "worker threads; 0: every core; the numbers are the same")
+      ->check(CLI::Range(0, 1024))
+      ->type_name("N");
 }
 
 }  // namespace
 
 void add_compare_verb(CLI::App& program, int& exit_code) {
   auto options = std::make_shared<CompareOptions>();
-  CLI::App* verb = program.add_subcommand("compare", "measure how far a test image is from its reference");
-  verb->add_option("REF", options->reference, "reference image: linear EXR, or sRGB of 8 or 16 bits")
-      ->required()
-      ->type_name("");
-  verb->add_option("TEST", options->test, "test image of the same size")->required()->type_name("");
-  verb->add_option(
-          "--layer", options->layer,
-          "of an EXR with several layers or parts this one, or a channel as grey; otherwise plain R, G, B, the "
-          "only layer, or the only one called Combined, beauty, rgba or rgb is read")
-      ->type_name("NAME");
-  add_parameter_options(*verb, options->metrics.parameters);
-  verb->add_option("--metrics", options->metrics.only, "compute these and those with a bound, instead of all")
-      ->delimiter(',')
-      ->allow_extra_args(false)
-      ->type_name("NAME,...");
-  verb->add_option("--region", options->region, "compare this part alone, as if both images had been cropped to it")
-      ->expected(4)
-      ->type_name("X Y WIDTH HEIGHT");
-  CLI::Option* mask =
-      verb->add_option("--mask", options->mask,
-                       "count only the pixels where this image, of the same size, is not 0; ssim and flip are computed "
-                       "everywhere and averaged over them")
-          ->type_name("FILE");
-  for (const MetricRow& row : metric_rows())
-    if (row.on_request)
-      verb->add_flag_callback(
-          option_of(row.name), [options = options.get(), &row] { options->metrics.also.emplace_back(row.name); },
-          std::string("compute ") + row.name + ", too; a bound on it does so as well");
-  verb->add_option("--threads", options->metrics.threads, "0: all cores; the numbers do not depend on it")
-      ->check(CLI::Range(0, 1024))
-      ->type_name("N");
-  verb->add_option("--warn", options->warn, "exit with 1 when broken; a minimum for psnr and ssim; may be repeated")
-      ->type_name("METRIC=BOUND")
-      ->take_all()
-      ->allow_extra_args(false);
-  verb->add_option("--fail", options->fail, "exit with 2 when broken; may be repeated")
-      ->type_name("METRIC=BOUND")
-      ->take_all()
-      ->allow_extra_args(false);
-  add_agreement_options(*verb, *options, mask);
-  verb->add_option("--heatmaps", options->heatmap_folder, "write <test>-flip.png and <test>-error.png there")
-      ->type_name("FOLDER");
-  verb->add_flag("--json", options->json, "print one JSON object instead of lines");
   std::string names;
   for (const MetricRow& row : metric_rows()) names += (names.empty() ? "" : ", ") + std::string(row.name);
-  verb->footer(
-      "Metrics: " + names +
-      ".\nExit codes: 0 ok, 1 warning, 2 failure (a bound, agreement, or a value that is not finite), 3 sizes differ, "
-      "4 file error.\nWithout bounds nothing fails: the numbers are only printed.");
+  CLI::App* verb = add_verb(
+      program,
+      {.name = "compare",
+       .group = measure_group,
+       .purpose = "Measure how far a test image is from its reference, and hold it to bounds",
+       .examples = {"photonproof compare reference.exr test.exr --heatmaps out",
+                    "photonproof compare reference.exr test.exr --fail relmse=0.01 --warn flip=0.05",
+                    "photonproof compare reference.exr test.exr --agreement"},
+       .exit_codes = {{0, "no bound is broken"},
+                      {1, "a --warn bound is broken, or --agreement is inconclusive"},
+                      {2, "a --fail bound is broken, the images disagree, a value is not finite, or bad usage"},
+                      {3, "the images' sizes differ"},
+                      {4, "a file cannot be read or written"}},
+       .notes = "Metrics: " + names + ".\nWithout bounds no metric fails: compare only prints the numbers."});
+  CLI::Option* mask = add_image_options(*verb, *options);
+  add_metric_options(*verb, *options);
+  add_agreement_options(*verb, *options, mask);
+  add_compare_outputs(*verb, *options);
   verb->callback([options, &exit_code] { exit_code = run_compare(*options); });
 }
 

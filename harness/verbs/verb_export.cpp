@@ -8,6 +8,7 @@
 
 #include "harness/verbs/engine_output.h"
 #include "harness/verbs/povray_arguments.h"
+#include "harness/verbs/usage/verb_usage.h"
 #include "harness/verbs/verbs.h"
 #include "reference/cycles/cycles_export.h"
 #include "reference/povray/povray_export.h"
@@ -67,10 +68,13 @@ int run_export(const PovrayArguments& arguments) {
 
 void add_export_verb(CLI::App& program, int& exit_code) {
   auto arguments = std::make_shared<PovrayArguments>();
-  CLI::App* verb = program.add_subcommand("export",
-                                          "Write a scene as POV-Ray SDL, or where the name ends in .py as Python for "
-                                          "Blender's Cycles, with every conversion "
-                                          "explained; exit 3 when it is not representable");
+  CLI::App* verb = add_verb(
+      program, {.name = "export",
+                .group = render_group,
+                .purpose = "Write a scene for POV-Ray (SDL), or for Blender's Cycles where the name ends in .py",
+                .examples = {"photonproof export scenes/library/cornell/scene.xml -o cornell.pov",
+                             "photonproof export scenes/library/cornell/scene.xml -o cornell.py"},
+                .exit_codes = {done, bad_input, not_representable, internal_error}});
   add_povray_arguments(*verb, *arguments, "SDL or .py to write");
   verb->callback([arguments, &exit_code] { exit_code = refusing_with_3([&] { return run_export(*arguments); }); });
 }

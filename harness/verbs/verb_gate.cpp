@@ -16,6 +16,7 @@
 #include "harness/gates/gate_self_tests.h"
 #include "harness/verbs/engine_output.h"
 #include "harness/verbs/interrupt.h"
+#include "harness/verbs/usage/verb_usage.h"
 #include "harness/verbs/verbs.h"
 #include "harness/verbs/versions.h"
 #include "reports/formats/exchange_reports.h"
@@ -239,50 +240,72 @@ int run_gates(const GateArguments& arguments) {
   return exit_code_of(summary);
 }
 
+void add_decision_options(CLI::App& verb, GateArguments& arguments) {
+  begin_option_group(verb, input_group);
+  verb.add_option("suite", arguments.suite, "gate suite (TOML)")->required();
+  verb.add_option("--only", arguments.only, "decide only gates whose name contains this");
+  verb.add_option("--seed", arguments.seed, "seed of the run: same build, suite and seed, same verdicts (default 1)")
+      ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1'000'000'000'000}));
+  begin_option_group(verb, output_group);
+  verb.add_option("-o,--output", arguments.output, "results folder (default: out/NAME of the suite)");
+  verb.add_flag("--report,!--no-report", arguments.report, "write report.html and junit.xml (default)");
+  verb.add_flag("--json", arguments.json, "print the verdicts as JSON");
+  verb.add_flag("--annotations", arguments.annotations,
+                "print a GitHub annotation for each gate that does not pass (default: in GitHub's CI)");
+  begin_option_group(verb, run_group);
+  verb.add_flag("--resume", arguments.resume, "use the images that an interrupted run left in the results folder");
+  verb.add_flag("--fresh", arguments.fresh,
+                "decide every gate again (default: a gate passes whose first images passed before)");
+}
+
+void add_self_test_options(CLI::App& verb, GateArguments& arguments) {
+  begin_option_group(verb, "Self-test");
+  verb.add_flag("--self-test", arguments.self_test,
+                "plant faults; measure how often each gate finds them, and how often it fails without");
+  verb.add_option("--runs", arguments.runs, "runs of the self-test for each fault; five times as many without")
+      ->check(CLI::Range(1, 1'000'000))
+      ->capture_default_str();
+  verb.add_option("--pool", arguments.pool,
+                  "images that runs draw from, for gates whose name contains NAME; may be repeated (default 64)")
+      ->type_name("[NAME=]N")
+      ->allow_extra_args(false);
+  verb.add_option("--other-pool", arguments.other_pool, "the same for each fault and other condition (default 16)")
+      ->type_name("[NAME=]N")
+      ->allow_extra_args(false);
+}
+
+void add_accept_options(CLI::App& verb, GateArguments& arguments) {
+  begin_option_group(verb, "A new reference");
+  verb.add_option("--accept", arguments.accept, "render this gate's reference anew and replace the committed one")
+      ->type_name("GATE");
+  verb.add_option("--reason", arguments.reason, "why, for --accept; the reference's provenance keeps the reason");
+  verb.add_option("--standard-error", arguments.standard_error,
+                  "relative standard error of the new reference (default: the old one's)")
+      ->check(CLI::Range(1e-6, 1.0));
+}
+
 }  // namespace
 
 void add_gate_verb(CLI::App& program, int& exit_code) {
   auto arguments = std::make_shared<GateArguments>();
-  CLI::App* verb = program.add_subcommand(
-      "gate",
-      "Decide a suite's gates: draw as many images as each verdict needs, and say where and how one fails.\n"
-      "Exit codes: 0 pass, 1 a gate fails, 2 bad input or an engine that cannot be started, 3 none fails but one is "
-      "inconclusive, 130 interrupted");
-  verb->add_option("suite", arguments->suite, "gate suite (TOML)")->required();
-  verb->add_option("-o,--output", arguments->output, "results folder (default: out/<name of the suite>)");
-  verb->add_option("--seed", arguments->seed, "of the run: same build, suite and seed, same verdicts (default 1)")
-      ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1'000'000'000'000}));
-  verb->add_option("--only", arguments->only, "only gates whose name contains this");
-  verb->add_flag("--resume", arguments->resume, "use the images that an interrupted run left in the results folder");
-  verb->add_flag(
-      "--fresh", arguments->fresh,
-      "judge every gate again, also where its first images are those of a pass in the cache (default: it passes "
-      "at once)");
-  verb->add_flag("--json", arguments->json, "print the verdicts as JSON");
-  verb->add_flag("--annotations", arguments->annotations,
-                 "print a GitHub annotation for each gate that does not pass (default where GITHUB_ACTIONS is true)");
-  verb->add_flag("--report,!--no-report", arguments->report, "write report.html and junit.xml (default)");
-  verb->add_flag(
-      "--self-test", arguments->self_test,
-      "plant faults and measure, for every gate, how often it finds them and how often it fails without: exit "
-      "code 0 when the suite finds every fault that changes what it sees in 99 of 100 runs");
-  verb->add_option("--runs", arguments->runs, "of the self-test, for each fault; five times as many without")
-      ->check(CLI::Range(1, 1'000'000))
-      ->capture_default_str();
-  verb->add_option("--pool", arguments->pool,
-                   "images that the self-test's runs draw from, a scene, engine and budget (default 64); "
-                   "'photonmapper=16' for those whose gates' names contain that; may be repeated")
-      ->type_name("[NAME=]N")
-      ->allow_extra_args(false);
-  verb->add_option("--other-pool", arguments->other_pool,
-                   "the same for each fault, and other conditions, of the engine (default 16)")
-      ->type_name("[NAME=]N")
-      ->allow_extra_args(false);
-  verb->add_option("--accept", arguments->accept,
-                   "instead: render the reference of this gate's scene anew and put it in place of the committed one");
-  verb->add_option("--reason", arguments->reason, "why, for --accept; kept in the reference's provenance");
-  verb->add_option("--standard-error", arguments->standard_error, "of what --accept renders (default: the old one's)")
-      ->check(CLI::Range(1e-6, 1.0));
+  CLI::App* verb = add_verb(
+      program,
+      {.name = "gate",
+       .group = judge_group,
+       .purpose = "Decide a suite's gates with as many images as each needs; name what fails, and where",
+       .examples = {"photonproof gate harness/suites/gates.toml",
+                    "photonproof gate harness/suites/gates.toml --only cornell --fresh",
+                    "photonproof gate harness/suites/gates.toml --accept cornell/path/agreement "
+                    "--reason \"the light is brighter\""},
+       .exit_codes = {{0, "every gate passes; with --self-test: the suite finds every fault in 99 of 100 runs"},
+                      {1, "a gate fails; with --self-test: the suite misses a fault"},
+                      {2, "bad input or usage, or an engine cannot be started"},
+                      {3, "no gate fails, but one is inconclusive"},
+                      internal_error,
+                      {130, "interrupted; --resume continues"}}});
+  add_decision_options(*verb, *arguments);
+  add_self_test_options(*verb, *arguments);
+  add_accept_options(*verb, *arguments);
   verb->callback([arguments, &exit_code] { exit_code = run_gates(*arguments); });
 }
 

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <memory>
 
+#include "harness/verbs/usage/verb_usage.h"
 #include "harness/verbs/verbs.h"
 #include "scenes/base/input_error.h"
 #include "scenes/files/atomic_file.h"
@@ -85,6 +86,7 @@ int run_assets(const GenerateArguments& arguments) {
 
 /// Where to write, and whether over what is there: every scene's options.
 void add_folder_options(CLI::App& verb, GenerateArguments& arguments) {
+  begin_option_group(verb, output_group);
   verb.add_option("-o,--output", arguments.folder, "folder to write; made when it does not exist")->required();
   verb.add_flag("--force", arguments.force, "overwrite the files of an earlier scene");
 }
@@ -92,21 +94,34 @@ void add_folder_options(CLI::App& verb, GenerateArguments& arguments) {
 }  // namespace
 
 void add_generate_verb(CLI::App& program, int& exit_code) {
-  CLI::App* verb = program.add_subcommand("generate", "Write a scene that is made rather than stored");
+  CLI::App* verb =
+      add_verb(program, {.name = "generate",
+                         .group = render_group,
+                         .purpose = "Write a scene, or files of the scene library, that are computed and not stored",
+                         .examples = {"photonproof generate million --triangles 1e6 -o million",
+                                      "photonproof generate many-lights --lights 1000 -o many-lights",
+                                      "photonproof generate assets -o assets"},
+                         .exit_codes = {done, bad_input, internal_error}});
   verb->require_subcommand(1);
   auto arguments = std::make_shared<GenerateArguments>();
   CLI::App* million = verb->add_subcommand("million", "A landscape of as many triangles as asked for");
-  million->add_option("--triangles", arguments->triangles, "from 1e3 to 1e7, met within 1 %")->required();
+  million->group("Scenes");
+  begin_option_group(*million, input_group);
+  million->add_option("--triangles", arguments->triangles, "number of triangles, from 1e3 to 1e7, met within 1 %")
+      ->required();
   add_folder_options(*million, *arguments);
   million->callback([arguments, &exit_code] { exit_code = run_million(*arguments); });
   CLI::App* many_lights =
       verb->add_subcommand("many-lights", "Blocks and balls among as many small lights as asked for");
-  many_lights->add_option("--lights", arguments->lights, "how many")
+  many_lights->group("Scenes");
+  begin_option_group(*many_lights, input_group);
+  many_lights->add_option("--lights", arguments->lights, "number of lights")
       ->check(CLI::Range(kFewestLights, kMostLights))
       ->capture_default_str();
   add_folder_options(*many_lights, *arguments);
   many_lights->callback([arguments, &exit_code] { exit_code = run_many_lights(*arguments); });
   CLI::App* assets = verb->add_subcommand("assets", "The textures, meshes and light data of the scene library");
+  assets->group("Files");
   add_folder_options(*assets, *arguments);
   assets->callback([arguments, &exit_code] { exit_code = run_assets(*arguments); });
 }

@@ -14,6 +14,7 @@
 #include "harness/grading/autograder.h"
 #include "harness/grading/grade_session.h"
 #include "harness/verbs/interrupt.h"
+#include "harness/verbs/usage/verb_usage.h"
 #include "harness/verbs/verbs.h"
 #include "harness/verbs/versions.h"
 #include "reports/grades/grade_pages.h"
@@ -132,32 +133,45 @@ int run_grade(const GradeArguments& arguments) {
   return grades.interrupted ? 130 : 0;
 }
 
+void add_grade_options(CLI::App& verb, GradeArguments& arguments) {
+  begin_option_group(verb, input_group);
+  verb.add_option("assignment", arguments.assignment, "assignment: scenes, baseline, points (TOML)")->required();
+  verb.add_option("submissions", arguments.submissions, "folders, zip or tar archives, git bundles");
+  verb.add_option("--only", arguments.only, "grade only submissions whose name contains this");
+  verb.add_option("--scene", arguments.scene, "grade only this scene");
+  verb.add_option("--seed", arguments.seed, "seed of the session: same submissions and seed, same verdicts (default 1)")
+      ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1'000'000'000'000}));
+  begin_option_group(verb, output_group);
+  verb.add_option("-o,--output", arguments.output, "results folder (default: out/NAME of the assignment)");
+  verb.add_flag("--json", arguments.json, "print the record as JSON");
+  verb.add_option("--autograder", arguments.autograder,
+                  "write Gradescope's autograder of the assignment (zip); grade nothing");
+  begin_option_group(verb, run_group);
+  verb.add_flag("--resume", arguments.resume, "use the runs that an interrupted grading left in the results folder");
+  verb.add_flag("--fresh", arguments.fresh, "make references anew (default: use those in the results folder)");
+  verb.add_flag("--sandbox,!--no-sandbox", arguments.sandbox,
+                "run submissions in a sandbox (default); without it they can do whatever you can do");
+  verb.add_flag("--timing,!--no-timing", arguments.timing, "time correct submissions (default)");
+  verb.add_option("--threads", arguments.threads, "value of {threads} in commands (default: every core)")
+      ->check(CLI::Range(1, 1024));
+}
+
 }  // namespace
 
 void add_grade_verb(CLI::App& program, int& exit_code) {
   auto arguments = std::make_shared<GradeArguments>();
-  CLI::App* verb = program.add_subcommand(
-      "grade",
-      "Grade a class: build and run submissions contained, judge their images on public and hidden scenes, time the "
-      "right ones against the baseline, write the gradebook.\n"
-      "Exit codes: 0 graded, whatever the grades, 2 bad input or a baseline that does not run, 130 interrupted");
-  verb->add_option("assignment", arguments->assignment, "what is to be graded, and how (TOML)")->required();
-  verb->add_option("submissions", arguments->submissions, "folders, zip or tar archives, git bundles");
-  verb->add_option("-o,--output", arguments->output, "results folder (default: out/<name of the assignment>)");
-  verb->add_option("--only", arguments->only, "only submissions whose name contains this");
-  verb->add_option("--scene", arguments->scene, "only this scene");
-  verb->add_option("--seed", arguments->seed, "of the session: same submissions and seed, same verdicts (default 1)")
-      ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1'000'000'000'000}));
-  verb->add_option("--threads", arguments->threads, "what {threads} is (default: all cores)")
-      ->check(CLI::Range(1, 1024));
-  verb->add_flag("--resume", arguments->resume, "use the runs that an interrupted grading left in the results folder");
-  verb->add_flag("--fresh", arguments->fresh, "make references anew, too (default: those in the results folder)");
-  verb->add_flag("--json", arguments->json, "print the record as JSON");
-  verb->add_flag("--sandbox,!--no-sandbox", arguments->sandbox,
-                 "run submissions contained (default); without, they can do what you can do");
-  verb->add_flag("--timing,!--no-timing", arguments->timing, "time right submissions (default)");
-  verb->add_option("--autograder", arguments->autograder,
-                   "instead: write Gradescope's autograder of the assignment (zip)");
+  CLI::App* verb = add_verb(
+      program,
+      {.name = "grade",
+       .group = judge_group,
+       .purpose = "Grade a class: build and run submissions, judge images and speed, write the gradebook",
+       .examples = {"photonproof grade harness/courses/photon-mapping/assignment.toml class/* -o out/class",
+                    "photonproof grade harness/courses/photon-mapping/assignment.toml --autograder autograder.zip"},
+       .exit_codes = {{0, "graded, whatever the grades"},
+                      {2, "bad input or usage, or the baseline does not run"},
+                      internal_error,
+                      {130, "interrupted; --resume continues"}}});
+  add_grade_options(*verb, *arguments);
   verb->callback([arguments, &exit_code] { exit_code = run_grade(*arguments); });
 }
 

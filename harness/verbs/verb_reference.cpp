@@ -16,6 +16,8 @@
 #include "harness/verbs/engine_output.h"
 #include "harness/verbs/interrupt.h"
 #include "harness/verbs/scene_options.h"
+#include "harness/verbs/usage/name_hints.h"
+#include "harness/verbs/usage/verb_usage.h"
 #include "harness/verbs/verbs.h"
 #include "harness/verbs/versions.h"
 #include "harness/verify/reference_witness.h"
@@ -340,40 +342,54 @@ int make_reference(const ReferenceArguments& arguments) {
   }
 }
 
+void add_reference_options(CLI::App& verb, ReferenceArguments& arguments) {
+  begin_option_group(verb, output_group);
+  verb.add_option("-o,--output", arguments.output, "EXR to write besides the cache's, with its provenance as .json");
+  verb.add_flag("--commit", arguments.commit,
+                "write reference-WxH.exr and .json beside the scene, in half floats (256x256 at most)");
+  verb.add_option("--reason", arguments.reason,
+                  "why --commit replaces a good reference; the provenance keeps the reason");
+  verb.add_flag("--json", arguments.json, "print files and provenance as JSON");
+  begin_option_group(verb, "Method");
+  verb.add_option("--standard-error", arguments.standard_error,
+                  "relative standard error to reach, over the whole image")
+      ->check(CLI::Range(1e-6, 1.0))
+      ->check(is_finite_number)
+      ->capture_default_str();
+  verb.add_option("--integrator", arguments.integrator,
+                  "an unbiased one, auto to choose by the scene, or photonmapper with its bias stated")
+      ->check(one_of({"auto", "path", "bdpt", "volpath", "ptracer", "photonmapper"}))
+      ->capture_default_str();
+  auto* witness = verb.add_flag("--witness", arguments.witness,
+                                "require a second, independent estimator to agree (default: with --commit)");
+  verb.add_flag("--no-witness", arguments.no_witness, "skip the check by a second estimator")->excludes(witness);
+  begin_option_group(verb, run_group);
+  verb.add_option("--seconds", arguments.seconds, "wall time after which it stops; the same command continues")
+      ->check(CLI::Range(1e-3, 1e7))
+      ->check(is_finite_number);
+  verb.add_flag("--fresh", arguments.fresh, "begin anew, without what the cache has");
+  verb.add_option("--threads", arguments.threads, "worker threads (default: every core)")->check(CLI::Range(0, 1024));
+  verb.add_flag("--quiet", arguments.quiet, "print no progress line");
+}
+
 }  // namespace
 
 void add_reference_verb(CLI::App& program, int& exit_code) {
   auto arguments = std::make_shared<ReferenceArguments>();
-  CLI::App* verb = program.add_subcommand(
-      "reference", "Render a scene's mean image to a stated standard error, with its variance and provenance");
+  CLI::App* verb = add_verb(
+      program, {.name = "reference",
+                .group = render_group,
+                .purpose = "Render a scene's mean image to a stated standard error, with its provenance",
+                .examples = {"photonproof reference scenes/library/cornell/scene.xml --standard-error 0.01 -o mean.exr",
+                             "photonproof reference scenes/library/cornell/scene.xml --size 64x64 --commit"},
+                .exit_codes = {done,
+                               {1, "the standard error was not reached in time; the same command continues"},
+                               {2, "bad input or usage, or the two estimators disagree"},
+                               internal_error,
+                               interrupted_and_kept},
+                .notes = "The standard error is sqrt(mean of variance / (mean^2 + 0.01)) over pixels and channels."});
   add_scene_options(*verb, arguments->scene);
-  verb->add_option("--standard-error", arguments->standard_error,
-                   "to reach: sqrt(mean of variance/(mean^2 + 0.01)) over pixels and channels")
-      ->check(CLI::Range(1e-6, 1.0))
-      ->check(is_finite_number)
-      ->capture_default_str();
-  verb->add_option("--integrator", arguments->integrator,
-                   "an unbiased one, auto: by what the scene holds; or photonmapper, whose bias is stated, too, where "
-                   "unbiased ones do not find the light")
-      ->check(CLI::IsMember({"auto", "path", "bdpt", "volpath", "ptracer", "photonmapper"}))
-      ->capture_default_str();
-  verb->add_option("--seconds", arguments->seconds, "wall time after which it stops; the same command goes on")
-      ->check(CLI::Range(1e-3, 1e7))
-      ->check(is_finite_number);
-  verb->add_option("--threads", arguments->threads, "worker threads (default: every core)")->check(CLI::Range(0, 1024));
-  verb->add_option("-o,--output", arguments->output, "EXR to write beside the cache's, its provenance as .json");
-  verb->add_flag("--commit", arguments->commit,
-                 "put it beside the scene as reference-WxH.exr and .json, in half floats (256x256 at most)");
-  verb->add_option("--reason", arguments->reason,
-                   "why --commit replaces a reference that is good; kept in its provenance");
-  auto* witness = verb->add_flag(
-      "--witness", arguments->witness,
-      "hold it to a second estimator that shares no sampling with the first; where they disagree there is no "
-      "reference (default: with --commit)");
-  verb->add_flag("--no-witness", arguments->no_witness, "keep the first estimator's alone")->excludes(witness);
-  verb->add_flag("--fresh", arguments->fresh, "begin anew instead of using what the cache has");
-  verb->add_flag("--json", arguments->json, "print files and provenance as JSON");
-  verb->add_flag("--quiet", arguments->quiet, "no progress line");
+  add_reference_options(*verb, *arguments);
   verb->callback([arguments, &exit_code] { exit_code = make_reference(*arguments); });
 }
 

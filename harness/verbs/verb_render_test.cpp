@@ -206,7 +206,7 @@ TEST_F(RenderVerb, options_that_make_no_sense_are_refused) {
               "--crop: error: 30 0 21 40 is no part of the image of 50x40 pixels\n");
   EXPECT_FALSE(has("a.exr"));
   const std::string help = run_process({PHOTONPROOF_BINARY, "render", "--help"}).standard_output;
-  EXPECT_NE(help.find("sobol,independent"), std::string::npos) << help;
+  EXPECT_NE(help.find("sobol, independent"), std::string::npos) << help;
 }
 
 TEST_F(RenderVerb, view_is_named_in_image_stats_and_plan_and_resumed_as_itself) {

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "harness/verbs/usage/verb_usage.h"
 #include "harness/verbs/verbs.h"
 #include "reports/formats/formats.h"
 #include "reports/record/results.h"
@@ -99,17 +100,25 @@ void write_reports(const ReportOptions& options) {
 }  // namespace
 
 void add_report_verb(CLI::App& program, int& exit_code) {
-  CLI::App* verb = program.add_subcommand("report", "write reports from the record of a benchmark run");
+  CLI::App* verb =
+      add_verb(program, {.name = "report",
+                         .group = measure_group,
+                         .purpose = "Write reports from the record of a run of bench or gate",
+                         .examples = {"photonproof report out/first-light/results.json --format html,markdown",
+                                      "photonproof report out/first-light/results.json --format latex -o table.tex"},
+                         .exit_codes = {done, bad_input, internal_error}});
+  begin_option_group(*verb, output_group);
   const auto options = std::make_shared<ReportOptions>();
   std::string known;
-  for (const ReportFormat& format : report_formats()) {
-    known += (known.empty() ? "" : ", ") + std::string(format.name);
-  }
+  for (const ReportFormat& format : report_formats())
+    known += known.empty() ? std::string(format.name) + " (default)" : ", " + std::string(format.name);
   verb->add_option("results", options->results, "results.json of a run; pictures are found beside it")->required();
-  verb->add_option("--format", options->formats, "one or more of " + known + " (the first unless given)")
+  verb->add_option("--format", options->formats, "formats: " + known + "; commas between several")
       ->delimiter(',')
+      ->type_name("NAME,...")
       ->allow_extra_args(false);
-  verb->add_option("-o,--output", options->output, "the file to write (report.html, report.md beside the record)");
+  verb->add_option("-o,--output", options->output,
+                   "file to write, with one format (default: report.html, report.md ... beside the record)");
   verb->add_flag("--json", options->json, "print what was written as JSON");
   verb->callback([options, &exit_code] {
     write_reports(*options);

@@ -10,6 +10,7 @@
 
 #include "harness/verbs/interrupt.h"
 #include "harness/verbs/scene_options.h"
+#include "harness/verbs/usage/verb_usage.h"
 #include "harness/verbs/verbs.h"
 #include "harness/verify/verify_run.h"
 #include "renderer/core/version.h"
@@ -91,37 +92,53 @@ int verify(const VerifyArguments& arguments) {
   return exit_code_of(record);
 }
 
+void add_verify_options(CLI::App& verb, VerifyArguments& arguments) {
+  begin_option_group(verb, input_group);
+  verb.add_option("scenes", arguments.scenes, "scene files, or folders with a scene.xml")->required();
+  verb.add_option("--engine", arguments.engines,
+                  "compare only this engine and others so named; may be repeated (default: all that can)")
+      ->allow_extra_args(false);
+  verb.add_option("--engines", arguments.rows, "TOML file with further [[engine]] rows, as in a suite");
+  verb.add_flag("--probes,!--no-probes", arguments.probes,
+                "check every engine on micro-scenes with closed forms first (default)");
+  begin_option_group(verb, output_group);
+  verb.add_option("-o,--output", arguments.output, "results folder")->capture_default_str();
+  verb.add_option("--markdown", arguments.markdown, "file for a table of the scenes");
+  verb.add_option("--csv", arguments.csv, "file for a row of every pair");
+  verb.add_flag("--json", arguments.json, "print the record as JSON (reports/verify/verify.schema.json)");
+  begin_option_group(verb, "Budget");
+  verb.add_option("--size", arguments.size,
+                  "size of all images (default: the stored reference's, else 64 on the longer side)")
+      ->type_name("WxH");
+  verb.add_flag("--quick", arguments.quick, "the same as --power 0.05 --seconds 5, with POV-Ray at quality draft");
+  verb.add_option("--power", arguments.power, "relative error of the mean that every pair must detect (default 0.02)")
+      ->check(CLI::Range(1e-4, 1.0));
+  verb.add_option("--seconds", arguments.seconds,
+                  "most processor time per thread for an engine's samples of a scene, in seconds (default 20)")
+      ->check(CLI::Range(0.01, 1e5));
+  verb.add_option("--threads", arguments.threads, "threads of each engine (default: every core)")
+      ->check(CLI::Range(0, 1024));
+}
+
 }  // namespace
 
 void add_verify_verb(CLI::App& program, int& exit_code) {
   auto arguments = std::make_shared<VerifyArguments>();
-  CLI::App* verb = program.add_subcommand(
-      "verify",
-      "Render scenes by every engine that can, compare each with each, with the closed form and with the stored\n"
-      "reference, and say who is wrong, where, and in which pass of light. What is rendered is kept in the folder.\n"
-      "Exit codes: 0 all agree, 1 something is wrong, 2 bad input, 3 nothing is but something is not known, 130 "
-      "interrupted");
-  verb->add_option("scenes", arguments->scenes, "scene files, or folders with a scene.xml")->required();
-  verb->add_option("-o,--output", arguments->output, "results folder")->capture_default_str();
-  verb->add_option("--size", arguments->size,
-                   "WxH of all pictures (default: the stored reference's, else 64 on the longer side)");
-  verb->add_option("--engine", arguments->engines,
-                   "this one alone; may be repeated (default: path, bdpt, ptracer, volpath, photonmapper, povray, "
-                   "cycles and those of --engines)")
-      ->allow_extra_args(false);
-  verb->add_option("--engines", arguments->rows, "TOML with further [[engine]] rows, as a suite has them");
-  verb->add_flag("--quick", arguments->quick, "an error of 5 % is to be seen, in 5 s an engine and scene");
-  verb->add_option("--power", arguments->power, "relative error of the mean that every pair is to show (default 0.02)")
-      ->check(CLI::Range(1e-4, 1.0));
-  verb->add_option("--seconds", arguments->seconds,
-                   "an engine has so long for a scene's samples, in processor time a thread (default 20)")
-      ->check(CLI::Range(0.01, 1e5));
-  verb->add_option("--threads", arguments->threads, "of each engine (default: every core)")->check(CLI::Range(0, 1024));
-  verb->add_flag("--probes,!--no-probes", arguments->probes,
-                 "fit every engine to micro-scenes with closed forms first (default)");
-  verb->add_option("--markdown", arguments->markdown, "write a table of the scenes there, too");
-  verb->add_option("--csv", arguments->csv, "write a row of every pair there, too");
-  verb->add_flag("--json", arguments->json, "print the record as JSON (reports/verify/verify.schema.json)");
+  CLI::App* verb = add_verb(
+      program,
+      {.name = "verify",
+       .group = judge_group,
+       .purpose = "Render scenes with independent engines, compare all pairs, and find which one is wrong",
+       .examples = {"photonproof verify scenes/library/cornell-spheres",
+                    "photonproof verify scenes/library/cornell --quick --engine path --engine bdpt"},
+       .exit_codes = {{0, "all engines agree"},
+                      {1, "an engine, the closed form or the stored reference is wrong"},
+                      bad_input,
+                      {3, "nothing is wrong, but something is undecided"},
+                      internal_error,
+                      interrupted_and_kept},
+       .notes = "Engines by default: path, bdpt, ptracer, volpath, photonmapper, povray, cycles and --engines."});
+  add_verify_options(*verb, *arguments);
   verb->callback([arguments, &exit_code] { exit_code = verify(*arguments); });
 }
 

@@ -9,6 +9,7 @@
 #include "harness/verbs/engine_output.h"
 #include "harness/verbs/interrupt.h"
 #include "harness/verbs/scene_options.h"
+#include "harness/verbs/usage/verb_usage.h"
 #include "harness/verbs/verbs.h"
 #include "reference/cycles/cycles_engine.h"
 #include "scenes/base/json_text.h"
@@ -74,19 +75,27 @@ int run_cycles(const CyclesArguments& arguments) {
 
 void add_cycles_verb(CLI::App& program, int& exit_code) {
   auto arguments = std::make_shared<CyclesArguments>();
-  CLI::App* verb = program.add_subcommand(
-      "cycles", "Render a scene with Blender's Cycles to an EXR and a stats JSON; exit 3 when it is not representable");
+  CLI::App* verb =
+      add_verb(program, {.name = "cycles",
+                         .group = render_group,
+                         .purpose = "Render a scene with Blender's Cycles to an EXR and a stats JSON",
+                         .examples = {"photonproof cycles scenes/library/cornell/scene.xml -o cycles.exr --spp 256"},
+                         .exit_codes = {done, bad_input, not_representable, engine_failed, nothing_written}});
   add_scene_options(*verb, arguments->scene);
+  begin_option_group(*verb, output_group);
   verb->add_option("-o,--output", arguments->output, "EXR to write")->required();
-  verb->add_option("--spp", arguments->options.samples, "samples a pixel (default: the scene's)")
-      ->transform(whole_number(1, 1 << 24));
-  verb->add_option("--seed", arguments->options.seed,
-                   "same seed, same samples; last bits may differ, as Blender adds up a ball's normals in any order")
+  verb->add_option("--stats", arguments->stats_path, "stats JSON to write (default: beside the EXR, as .stats.json)");
+  begin_option_group(*verb, "Method");
+  verb->add_option("--spp", arguments->options.samples, "samples per pixel (default: the scene's)")
+      ->transform(whole_number(1, 1 << 24))
+      ->type_name("N");
+  verb->add_option("--seed", arguments->options.seed, "same seed, same samples; the last bits of the image may differ")
       ->check(is_seed);
-  verb->add_option("--threads", arguments->options.threads, "default: every core")->check(CLI::Range(1, 1024));
-  verb->add_option("--stats", arguments->stats_path, "stats JSON to write (default: beside the EXR, .stats.json)");
+  begin_option_group(*verb, run_group);
+  verb->add_option("--threads", arguments->options.threads, "worker threads (default: every core)")
+      ->check(CLI::Range(1, 1024));
   verb->add_flag("--json", arguments->json, "print the stats as JSON");
-  verb->add_flag("--quiet", arguments->quiet, "no progress line");
+  verb->add_flag("--quiet", arguments->quiet, "print no progress line");
   verb->callback([arguments, &exit_code] {
     exit_code = refusing_with_3([&] { return interruptibly([&] { return run_cycles(*arguments); }); });
   });

@@ -8,6 +8,7 @@
 #include "harness/verbs/engine_output.h"
 #include "harness/verbs/interrupt.h"
 #include "harness/verbs/povray_arguments.h"
+#include "harness/verbs/usage/verb_usage.h"
 #include "harness/verbs/verbs.h"
 #include "reference/povray/povray_engine.h"
 #include "scenes/base/json_text.h"
@@ -81,12 +82,18 @@ int run_povray(const PovrayVerbArguments& arguments) {
 
 void add_povray_verb(CLI::App& program, int& exit_code) {
   auto arguments = std::make_shared<PovrayVerbArguments>();
-  CLI::App* verb = program.add_subcommand(
-      "povray", "Render a scene with POV-Ray to an EXR and a stats JSON; exit 3 when it is not representable");
+  CLI::App* verb = add_verb(
+      program, {.name = "povray",
+                .group = render_group,
+                .purpose = "Render a scene with POV-Ray to an EXR and a stats JSON",
+                .examples = {"photonproof povray scenes/library/cornell/scene.xml -o povray.exr",
+                             "photonproof povray scenes/library/cornell/scene.xml -o povray.exr --quality high"},
+                .exit_codes = {done, bad_input, not_representable, engine_failed, nothing_written}});
   add_povray_arguments(*verb, *arguments, "EXR to write");
-  verb->add_option("--stats", arguments->stats_path, "stats JSON to write (default: beside the EXR, .stats.json)");
+  verb->add_option("--stats", arguments->stats_path, "stats JSON to write (default: beside the EXR, as .stats.json)");
+  begin_option_group(*verb, run_group);
   verb->add_flag("--json", arguments->json, "print the stats as JSON");
-  verb->add_flag("--quiet", arguments->quiet, "no progress line");
+  verb->add_flag("--quiet", arguments->quiet, "print no progress line");
   verb->callback([arguments, &exit_code] {
     exit_code = refusing_with_3([&] { return interruptibly([&] { return run_povray(*arguments); }); });
   });

@@ -12,6 +12,7 @@
 #include "harness/stress/stress_run.h"
 #include "harness/suites/engines.h"
 #include "harness/verbs/interrupt.h"
+#include "harness/verbs/usage/verb_usage.h"
 #include "harness/verbs/verbs.h"
 #include "renderer/core/version.h"
 #include "renderer/integrators/integrator.h"
@@ -111,38 +112,47 @@ int stress(const StressArguments& arguments) {
   return record.fails() || !worse.empty() ? 1 : 0;
 }
 
+void add_stress_options(CLI::App& verb, StressArguments& arguments) {
+  begin_option_group(verb, input_group);
+  verb.add_option("--only", arguments.only, "run only sweeps whose name contains this; may be repeated")
+      ->allow_extra_args(false);
+  verb.add_flag("--list", arguments.list, "print the names of all sweeps; run nothing");
+  verb.add_option("--engine", arguments.engines,
+                  "use only this integrator, compare, povray, or row of --engines; may be repeated")
+      ->allow_extra_args(false);
+  verb.add_option("--engines", arguments.engines_file,
+                  "TOML file with [[engine]] rows, as in a suite; --engine chooses them");
+  verb.add_option("--program", arguments.program,
+                  "another build of photonproof to stress, without the sweeps that it refuses (default: this one)");
+  begin_option_group(verb, output_group);
+  verb.add_option("-o,--output", arguments.output, "results folder")->capture_default_str();
+  verb.add_option("--against", arguments.against, "an earlier stress.json; sweeps that got worse since fail");
+  verb.add_option("--markdown", arguments.markdown, "file for the table of all sweeps");
+  begin_option_group(verb, run_group);
+  verb.add_flag("--quick", arguments.quick,
+                "path and photonmapper at the required levels; full sweeps only where these fail");
+  verb.add_flag("--turned", arguments.turned, "turn every scene, so that no face lies along an axis");
+  verb.add_option("--jobs", arguments.jobs, "renders at a time (default: one per core)")->check(CLI::Range(1, 1024));
+}
+
 }  // namespace
 
 void add_stress_verb(CLI::App& program, int& exit_code) {
   auto arguments = std::make_shared<StressArguments>();
-  CLI::App* verb = program.add_subcommand(
-      "stress",
-      "Climb every feature, by size, place, brightness and more, until its picture is wrong, and say where and "
-      "whether\n"
-      "the program said so. Levels that are decided are kept in the folder and not rendered again.\n"
-      "Exit codes: 0 nothing is silently wrong, 1 something is, or worse than in --against, 2 bad input, 130 "
-      "interrupted");
-  verb->add_option("-o,--output", arguments->output, "results folder")->capture_default_str();
-  verb->add_option("--only", arguments->only,
-                   "only sweeps whose name contains this; may be repeated; --list has the names")
-      ->allow_extra_args(false);
-  verb->add_option("--engine", arguments->engines,
-                   "this one alone: an integrator, compare, povray, or a row of --engines; may be repeated (default: "
-                   "path, photonmapper, bdpt, ptracer, volpath, compare)")
-      ->allow_extra_args(false);
-  verb->add_option("--engines", arguments->engines_file,
-                   "a TOML file with [[engine]] rows, as suites have them: other programs that climb, by --engine");
-  verb->add_flag("--turned", arguments->turned,
-                 "each level's scene turned as a whole, so that no face lies along an axis");
-  verb->add_flag("--quick", arguments->quick,
-                 "path and photonmapper alone, each sweep at the height that is wanted; only one that is not right "
-                 "there is climbed from below");
-  verb->add_option("--against", arguments->against, "an earlier stress.json: what is worse than there fails");
-  verb->add_option("--markdown", arguments->markdown, "write the table of all sweeps there, too");
-  verb->add_option("--program", arguments->program,
-                   "another build of photonproof to stress; climbs that it refuses are left out (default: this one)");
-  verb->add_option("--jobs", arguments->jobs, "renders at a time (default: one a core)")->check(CLI::Range(1, 1024));
-  verb->add_flag("--list", arguments->list, "print the sweeps' names and end");
+  CLI::App* verb = add_verb(
+      program,
+      {.name = "stress",
+       .group = maintain_group,
+       .purpose = "Run every feature's sweeps by size, place, brightness and more until the image is wrong",
+       .examples = {"photonproof stress --quick", "photonproof stress --only sphere --engine path -o out/sphere",
+                    "photonproof stress --list"},
+       .exit_codes = {{0, "no image is wrong without a warning or an error"},
+                      {1, "an image is wrong in silence, or a sweep is worse than in --against"},
+                      bad_input,
+                      internal_error,
+                      interrupted_and_kept},
+       .notes = "Engines by default: path, photonmapper, bdpt, ptracer, volpath and compare."});
+  add_stress_options(*verb, *arguments);
   verb->callback([arguments, &exit_code] { exit_code = stress(*arguments); });
 }
 
