@@ -135,7 +135,7 @@ void FaultLocator::look_for_pass(const Suspect& odd, const std::vector<Believed>
     draw(*of_right, *of_odd.picture, pass.name, fault);
     return;
   }
-  fault.pass_words = "every pass that was rendered apart agrees: only together do they differ";
+  fault.pass_words = "every pass agrees when rendered alone; only the whole image differs";
   if (!not_rendered.empty()) fault.pass_words += " (not rendered apart: " + not_rendered + ")";
 }
 

@@ -107,7 +107,7 @@ namespace {
 /// The reason why this picture's noise is unknown; empty if it is known.
 std::string why_noise_is_unknown(const EnginePicture& picture) {
   if (picture.images.empty() || picture.images.size() >= std::size_t{least_images}) return {};
-  return fmt::format("{} says nothing of its noise, which fewer than {} pictures do not show", picture.engine,
+  return fmt::format("{} has no variance, and fewer than {} images do not show its noise", picture.engine,
                      least_images);
 }
 

@@ -131,7 +131,7 @@ TEST(PairTest, engine_that_shows_its_noise_by_fewer_pictures_than_gates_need_is_
   const PairTest test = test_pair(noisy(1), odd);
   EXPECT_FALSE(test.differs);
   EXPECT_TRUE(test.is_undecided);
-  EXPECT_EQ(test.sentence, "odd says nothing of its noise, which fewer than 3 pictures do not show");
+  EXPECT_EQ(test.sentence, "odd has no variance, and fewer than 3 images do not show its noise");
   odd.images.push_back(odd.rendering.mean);
   EXPECT_TRUE(test_pair(noisy(1), odd).differs);
 }
@@ -180,7 +180,7 @@ TEST(PairTest, of_a_closed_form_is_of_the_mean) {
 TEST(StoredReference, that_is_off_to_one_side_with_its_own_noise_is_stale) {
   const ReferenceState state = state_of_reference(noisy(1, 1.05), noisy(2, 1, 0.005));
   EXPECT_TRUE(state.is_stale) << state.sentence;
-  EXPECT_EQ(state.sentence.rfind("stale reference: it is +5", 0), 0u) << state.sentence;
+  EXPECT_EQ(state.sentence.rfind("stale reference: it differs by +5", 0), 0u) << state.sentence;
 }
 
 TEST(StoredReference, whose_pixels_scatter_more_than_it_says_is_damaged) {

@@ -102,7 +102,7 @@ class SceneJudge {
       picture.rendering = stored.rendering;
       widen_to_half_rounding(picture.rendering);
       if (stored.provenance.bias > 0)
-        picture.declared = {stored.provenance.bias, 2 * stored.provenance.bias, "as its provenance says"};
+        picture.declared = {stored.provenance.bias, 2 * stored.provenance.bias, "as its provenance states"};
       sides_.push_back(
           {{stored_reference_side, sampling_of(stored.provenance.estimator), false}, nullptr, {{0, picture}}, {}});
     } catch (const InputError& error) {
@@ -192,7 +192,7 @@ class SceneJudge {
       VerifyFault fault;
       fault.engine = side.witness.name;
       fault.sentence = sentence_with(odd, closed_form_side) + " against the closed form";
-      fault.pass_words = "no other engine renders the scene, to look for the pass with";
+      fault.pass_words = "no other engine renders the scene, so that the pass is unknown";
       out_.faults.push_back(std::move(fault));
       return;
     }
@@ -321,7 +321,8 @@ class SceneJudge {
       return sides_[side].engine == nullptr || sides_[side].engine->is_ours;
     };
     if (!std::ranges::all_of(odd.believed, is_ours) || std::ranges::all_of(odd.odd, is_ours)) return;
-    std::string note = "those who agree share materials, lights and textures: a mistake there would look the same";
+    std::string note =
+        "the engines that agree share materials, lights and textures: a mistake there would look the same";
     for (const VerifyProbe& probe : probes_)
       if (probe.verdict == "wrong") note += "; probe: " + probe.sentence;
     out_.notes.push_back(note);
@@ -336,7 +337,7 @@ class SceneJudge {
     std::string where;
     if (!out_.faults.empty()) where = ": " + out_.faults.front().engine + " is " + out_.faults.front().sentence;
     if (!out_.faults.empty() && !out_.faults.front().pass.empty()) where += ", first in " + out_.faults.front().pass;
-    out_.sentence = listed(names) + " differ, and nothing says which is wrong" + where;
+    out_.sentence = listed(names) + " differ; which is wrong is unknown" + where;
   }
 
   void say_that_all_agree() {
@@ -344,14 +345,14 @@ class SceneJudge {
     for (std::size_t p = 0; p < pairs_.size(); ++p)
       if (pairs_[p].verdict == PairVerdict::agree) worst = std::max(worst, out_.pairs[p].would_see.value_or(0));
     out_.verdict = "agree";
-    out_.sentence = fmt::format("{} agree; an error of {:.2g} % of the mean would have been seen by every pair of them",
+    out_.sentence = fmt::format("{} agree; every pair would detect an error of {:.2g} % of the mean",
                                 listed(out_.believed), 100 * worst);
     std::vector<std::string> undecided;
     for (std::size_t p = 0; p < pairs_.size(); ++p)
       if (pairs_[p].verdict == PairVerdict::undecided && sides_[pairs_[p].first].engine != nullptr)
         undecided.push_back(out_.pairs[p].first + " with " + out_.pairs[p].second);
     if (!undecided.empty())
-      out_.notes.push_back("noise: it explains what differs and would hide a larger error than is asked: " +
+      out_.notes.push_back("noise explains the difference, and would hide a larger error than asked for: " +
                            listed(undecided));
     if (!stale_) return;
     out_.verdict = "stale reference";
@@ -363,10 +364,11 @@ class SceneJudge {
     std::vector<std::string> drawn;
     for (const Side& side : sides_)
       if (side.engine != nullptr && !side.is_set_aside) drawn.push_back(side.witness.name);
-    out_.sentence = drawn.empty() ? "no engine renders this scene"
-                    : drawn.size() == 1
-                        ? "only " + drawn.front() + " renders this scene: no other way to compare"
-                        : "noise: no pair by two ways of finding light would have shown an error as asked";
+    out_.sentence =
+        drawn.empty() ? "no engine renders this scene"
+        : drawn.size() == 1
+            ? "only " + drawn.front() + " renders this scene: no other way to compare"
+            : "noise: no pair of engines that find light in different ways would detect the error asked for";
   }
 
   void add_what_failed() {
@@ -374,7 +376,7 @@ class SceneJudge {
       const bool failed = picture.status == "crash" || picture.status == "bad_image" || picture.status == "not_started";
       const bool late = picture.status == "timeout";
       if (!failed && !late) continue;
-      const std::string sentence = picture.engine + " gave no picture: " + picture.detail;
+      const std::string sentence = picture.engine + " wrote no image: " + picture.detail;
       const bool is_worse = out_.verdict == "agree" || (failed && out_.verdict == "inconclusive");
       if (!is_worse) {
         out_.notes.push_back(sentence);

@@ -64,16 +64,17 @@ ReferenceState state_of_reference(const EnginePicture& reference, const EnginePi
   ReferenceState state;
   constexpr double usual_noise = 1.5, most = 0.9;
   state.is_stale = noise < usual_noise && (brighter + darker == 0 || one_side >= most);
-  const std::string by = expected != 0 ? fmt::format("{:+.2g} %", 100 * shift / expected) : "off where all is black";
+  const std::string differs = expected != 0
+                                  ? fmt::format("differs by {:+.2g} % from the engines' mean", 100 * shift / expected)
+                                  : "differs from the engines' black image";
   state.sentence =
-      state.is_stale
-          ? fmt::format(
-                "stale reference: it is {} of what the engines agree on, to one side and with its own noise: "
-                "scene or renderer have changed since; make it again",
-                by)
+      state.is_stale ? fmt::format(
+                           "stale reference: it {}, in one direction and with its own noise; "
+                           "the scene or the renderer has changed since, render it again",
+                           differs)
       : noise >= usual_noise
-          ? fmt::format("damaged reference: its pixels scatter {:.2g} times as much as its variance says", noise)
-          : fmt::format("the stored reference is off in both directions ({} in all): it is of another picture", by);
+          ? fmt::format("damaged reference: its pixels scatter {:.2g} times as much as its variance states", noise)
+          : fmt::format("the stored reference {} overall, and in both directions: it is of another image", differs);
   return state;
 }
 

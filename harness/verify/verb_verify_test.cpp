@@ -115,7 +115,7 @@ TEST_F(VerbVerify, two_that_differ_are_both_named) {
   EXPECT_EQ(verify({"--engines", path("rows.toml"), "--engine", "odd", "--engine", "bdpt"}).exit_code, 1);
   const VerifyScene scene = verified();
   EXPECT_EQ(scene.verdict, "cannot tell which");
-  EXPECT_EQ(scene.sentence.rfind("bdpt and odd differ, and nothing says which is wrong", 0), 0u) << scene.sentence;
+  EXPECT_EQ(scene.sentence.rfind("bdpt and odd differ; which is wrong is unknown", 0), 0u) << scene.sentence;
   ASSERT_EQ(scene.faults.size(), 1u);
   // The fault may be described from either engine's side. The pass is the same, but the cause may be reversed.
   EXPECT_FALSE(scene.faults[0].pass.empty());
@@ -183,7 +183,7 @@ TEST_F(VerbVerify, stored_reference_that_is_off_to_one_side_is_stale) {
   EXPECT_EQ(verify(exact).exit_code, 1);
   const VerifyScene scene = verified();
   EXPECT_EQ(scene.verdict, "stale reference");
-  EXPECT_EQ(scene.sentence.rfind("stale reference: it is -", 0), 0u) << scene.sentence;
+  EXPECT_EQ(scene.sentence.rfind("stale reference: it differs by -", 0), 0u) << scene.sentence;
   EXPECT_TRUE(scene.faults.empty());
 }
 
