@@ -61,7 +61,7 @@ LevelVerdict compare_files(const StressRunner& runner, const std::filesystem::pa
     return {why.empty() ? LevelOutcome::crashed : LevelOutcome::refused, why.empty() ? outcome.sentence() : why, {}};
   }
   if (json.is_discarded() || !json.contains("metrics"))
-    return {LevelOutcome::crashed, "what compare says is no JSON", {}};
+    return {LevelOutcome::crashed, "the output of compare is not JSON", {}};
   std::string wrong;
   std::size_t found = 0;
   for (const KnownMetric& metric : known)

@@ -48,7 +48,7 @@ worse() {
   [ -f "$folder/none-$2.txt" ] || (kind=$2 && shift 2 && climb none "$kind" "$@")
   against=$folder/none-$2/stress.json
   climb "$@" --against "$against"
-  grep '^step back' "$folder/$1-$2.txt"
+  grep '^regression: ' "$folder/$1-$2.txt"
 }
 
 for fault in "$@"; do

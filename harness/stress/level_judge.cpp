@@ -198,7 +198,7 @@ LevelVerdict judge_picture(const LevelEvidence& evidence, const LevelExpectation
   }
   if (!any_other_than_zero(reference.mean) && mean_of(test.mean) != 0) {
     verdict.outcome = LevelOutcome::silently_wrong;
-    verdict.sentence = fmt::format("light of {:.3g} where there is none", mean_of(test.mean));
+    verdict.sentence = fmt::format("light of {:.3g} where none is expected", mean_of(test.mean));
     return verdict;
   }
   const bool by_pixels = expected.is_exact && is_known;
@@ -209,7 +209,8 @@ LevelVerdict judge_picture(const LevelEvidence& evidence, const LevelExpectation
   const bool is_lost = evidence.states_noise && !is_known && any_other_than_zero(*reference.variance);
   if (verdict.outcome == LevelOutcome::right && is_lost && evidence.losses.empty()) {
     verdict.outcome = LevelOutcome::silently_wrong;
-    verdict.sentence = has_noise ? "the mean is right, its variance is none" : "the mean is right, its variance is 0";
+    verdict.sentence =
+        has_noise ? "the mean is right, but its variance is out of range" : "the mean is right, but its variance is 0";
   }
   return verdict;
 }
@@ -221,7 +222,7 @@ LevelVerdict judge_level(const LevelEvidence& evidence, const LevelExpectation& 
   if (evidence.refused) return {LevelOutcome::refused, evidence.message, {}};
   if (!evidence.picture) return {LevelOutcome::crashed, evidence.ending + ": " + evidence.message, {}};
   if (expected.must_refuse && !is_reported)
-    return {LevelOutcome::silently_wrong, "was rendered, though it is no number", {}};
+    return {LevelOutcome::silently_wrong, "was rendered, though an input is not a number", {}};
   LevelVerdict verdict = judge_picture(evidence, expected);
   verdict.is_wrong = verdict.outcome == LevelOutcome::silently_wrong;
   if (verdict.is_wrong && is_reported) {
@@ -230,7 +231,7 @@ LevelVerdict judge_level(const LevelEvidence& evidence, const LevelExpectation& 
   } else if (verdict.outcome == LevelOutcome::right) {
     if (verdict.would_see && *verdict.would_see > level_power) {
       verdict.outcome = is_reported ? LevelOutcome::degraded : LevelOutcome::undecided;
-      verdict.sentence = fmt::format("only an error of {:.3g} % would have been seen{}", 100 * *verdict.would_see,
+      verdict.sentence = fmt::format("the minimum detectable error is {:.3g} %{}", 100 * *verdict.would_see,
                                      is_reported ? "; said: " + evidence.losses.front() : "");
     } else if (is_reported) {
       verdict.sentence = "right, and said: " + evidence.losses.front();

@@ -115,7 +115,7 @@ Sweep no_numbers_in_images() {
                      (k < 3 ? pair.test : pair.reference).rgb.back() = values[static_cast<int>(k) % 3];
                      LevelVerdict verdict = compare_pair(runner, pair, {{"mse", {}}, {"ssim", {}}, {"flip", {}}});
                      if (verdict.outcome != LevelOutcome::refused && verdict.outcome != LevelOutcome::crashed)
-                       return {LevelOutcome::silently_wrong, "was compared, though it is no number", {}};
+                       return {LevelOutcome::silently_wrong, "was compared, though a value is not a number", {}};
                      return verdict;
                    });
   sweep.goes_on = true;

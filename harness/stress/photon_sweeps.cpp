@@ -59,12 +59,11 @@ std::vector<Sweep> photon_sweeps(const std::filesystem::path&) {
       return level;
     }));
     sweeps.back().goes_on = true;
-    sweeps.push_back(
-        photons(feature.c_str(), "empty maps", "10^k photons, none of which meets anything", {3, 5}, 5, [=](double k) {
-          StressScene level{under_a_light_that_looks_away()};
-          level.unlike_path = {"--indirect", indirect, "--photons", std::to_string(std::lround(tens(k)))};
-          return level;
-        }));
+    sweeps.push_back(photons(feature.c_str(), "empty maps", "10^k photons that hit nothing", {3, 5}, 5, [=](double k) {
+      StressScene level{under_a_light_that_looks_away()};
+      level.unlike_path = {"--indirect", indirect, "--photons", std::to_string(std::lround(tens(k)))};
+      return level;
+    }));
     sweeps.back().alike = {};
     sweeps.back().radiance = 0;
     sweeps.push_back(photons(feature.c_str(), "few", "10^(6-k) photons", {0, 1, 2, 3, 4, 5, 6}, 6, [=](double k) {

@@ -161,7 +161,7 @@ class SweepRunner {
     } catch (const ReferenceCrashed& crash) {
       out.height = height;
       out.outcome = LevelOutcome::crashed;
-      out.sentence = "what it is compared with " + crash.ending;
+      out.sentence = "the reference to compare with " + crash.ending;
     }
     out.seconds = timer.seconds();
     write_file_atomically(kept, level_text(out));

@@ -27,7 +27,7 @@ void describe(V& v, StressLevel& r) {
 
 template <class V>
 void describe(V& v, StressSweep& r) {
-  v.record("ladder", "one sweep climbed by one engine, up to the first level that fails or is refused");
+  v.record("ladder", "one sweep run by one engine, up to the first level that fails or is refused");
   v.field("feature", r.feature);
   v.field("climb", r.sweep_run);
   v.field("engine", r.engine);

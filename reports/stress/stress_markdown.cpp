@@ -71,9 +71,10 @@ std::string stress_markdown(const StressRecord& record) {
   std::string text =
       fmt::format("`{}`, {:.0f} s on {}: {}.\n", record.command, record.seconds, record.host, stress_totals(record));
   text +=
-      "\nA number is the k up to which every level is right; behind it what comes next. What many features climb is "
-      "told by the one that ends lowest; one whose levels are all right ends above the others.\n\n";
-  text += head({"climb"}, engines);
+      "\nA number is the largest k up to which every level is right; the outcome of the next level follows it. A sweep "
+      "of many features shows the feature that ends lowest. A feature whose levels are all right ranks above the "
+      "others.\n\n";
+  text += head({"sweep"}, engines);
   const SweepRuns sweep_runs = sweep_runs_of(record);
   for (const auto& [sweep_run, features] : sweep_runs) {
     if (features.size() < many_features) continue;
@@ -81,7 +82,7 @@ std::string stress_markdown(const StressRecord& record) {
     for (const std::string& engine : engines) text += " " + lowest_words(record, sweep_run, features, engine) + " |";
     text += "\n";
   }
-  text += "\n" + head({"feature", "climb", "wanted"}, engines);
+  text += "\n" + head({"feature", "sweep", "wanted"}, engines);
   for (const auto& [sweep_run, features] : sweep_runs) {
     if (features.size() >= many_features) continue;
     for (const std::string& feature : features) {

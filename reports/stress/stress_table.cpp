@@ -94,7 +94,7 @@ std::string stress_totals(const StressRecord& record) {
   }
   const auto left_out = std::count_if(record.sweeps.begin(), record.sweeps.end(),
                                       [](const StressSweep& sweep) { return !sweep.not_swept.empty(); });
-  if (left_out > 0) text += fmt::format("; {} of {} climbs left out", left_out, record.sweeps.size());
+  if (left_out > 0) text += fmt::format("; {} of {} sweeps left out", left_out, record.sweeps.size());
   return text;
 }
 

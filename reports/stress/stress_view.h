@@ -29,7 +29,7 @@ struct SweepRunSummary {
 /// Summaries of the climbs that several features have, and of all others together with `climb` "its own".
 std::vector<SweepRunSummary> summaries(const StressRecord& record);
 
-/// "412 right, 3 degraded, 10 refused, 0 silently wrong; 2 of 40 climbs left out".
+/// "412 right, 3 degraded, 10 refused, 0 silently wrong; 2 of 40 sweeps left out".
 std::string stress_totals(const StressRecord& record);
 
 /// The table for a terminal: summaries, then every sweep that is wrong or does not reach the wanted height.

@@ -85,7 +85,7 @@ RowSum sum_of(const FaultsRecord& record, const std::string& fault) {
 std::string row_words(const FaultRow& row, const RowSum& sum) {
   if (sum.count == 0 && !sum.not_tried.empty()) return "not tried: " + sum.not_tried;
   if (sum.broken == 0) return fmt::format("{} of {} works held", sum.count, sum.works);
-  return fmt::format("{}, of which {} did not hold: {}",
+  return fmt::format("{}, {} of them did not hold: {}",
                      row.is_kill ? fmt::format("{} kills", sum.count) : fmt::format("{} trials", sum.count), sum.broken,
                      sum.first_broken);
 }
@@ -115,7 +115,7 @@ std::string faults_table(const FaultsRecord& record) {
     (row.is_kill ? kills : count) += sum.count;
     broken += sum.broken;
   }
-  return text + fmt::format("{}: {} kills and {} other faults in {:.0f} s, {} of which did not hold\n",
+  return text + fmt::format("{}: {} kills and {} other faults in {:.0f} s; {} of them did not hold\n",
                             broken == 0 ? "held" : "failed", kills, count, record.seconds, broken);
 }
 

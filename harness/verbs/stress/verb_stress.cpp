@@ -1,4 +1,4 @@
-// photonproof stress: climbs every feature's sweeps until they break, and says where.
+// photonproof stress: runs every feature's sweeps until they break, and reports where.
 
 #include <unistd.h>
 
@@ -102,8 +102,8 @@ int stress(const StressArguments& arguments) {
   reports::write_stress_page(record, worse, options.folder, page);
   if (!arguments.markdown.empty()) write_file_atomically(arguments.markdown, reports::stress_markdown(record));
   std::printf("%s", reports::stress_table(record).c_str());
-  for (const std::string& sentence : worse) std::printf("step back: %s\n", sentence.c_str());
-  if (old && worse.empty()) std::printf("no step back against %s\n", arguments.against.c_str());
+  for (const std::string& sentence : worse) std::printf("regression: %s\n", sentence.c_str());
+  if (old && worse.empty()) std::printf("no regression against %s\n", arguments.against.c_str());
   std::printf("record: %s\nreport: %s\n", (options.folder / "stress.json").c_str(), page.c_str());
   if (record.interrupted) {
     std::printf("interrupted: the same command goes on from here\n");
