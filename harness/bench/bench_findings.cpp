@@ -50,7 +50,7 @@ std::vector<std::vector<const Result*>> groups_of_same(std::vector<const Result*
 
 std::string sentence_of(const std::vector<const Result*>& same, std::size_t seeds) {
   if (same.size() == seeds)
-    return fmt::format("all {} seeds gave the same image; its noise is not known, and not zero for that", seeds);
+    return fmt::format("all {} seeds gave the same image; its noise is unknown, and need not be zero", seeds);
   std::string list;
   for (const Result* result : same) list += (list.empty() ? "" : ", ") + std::to_string(result->cell.seed);
   return fmt::format("seeds {} gave the same image, which counts once; other seeds may not be independent either",

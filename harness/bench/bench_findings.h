@@ -10,7 +10,7 @@
 namespace photonproof::inline harness_bench {
 
 /// Sentences, in the order of the results:
-///   "cornell/mine/spp=16: all 5 seeds gave the same image; its noise is not known, and not zero for that"
+///   "cornell/mine/spp=16: all 5 seeds gave the same image; its noise is unknown, and need not be zero"
 ///   "cornell/mine/spp=16: seeds 1, 4 gave the same image, which counts once; ..."
 ///   "cornell/mine/spp=16/seed=1: its image is the reference itself, bit for bit"
 /// The first and third are normal where a scene has no noise. Images are read only where their metrics are equal.

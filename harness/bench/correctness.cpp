@@ -35,15 +35,15 @@ CorrectnessRecord judge_correctness(const Judge& judge, const Engine& engine, co
   if (judge.reference == nullptr || images.empty()) return unknown("there is nothing to compare with");
   if (!judge.doubt.empty()) return unknown(judge.doubt);
   const Rendering& reference = judge.reference->rendering;
-  if (!reference.variance) return unknown("the reference does not say how noisy it is");
+  if (!reference.variance) return unknown("the reference has no variance");
   for (const Image& image : images)
     if (image.rgb == reference.mean.rgb) return unknown("an image equals the reference to the bit");
   std::vector<const Image*> pointers;
   for (const Image& image : images) pointers.push_back(&image);
   if (images.size() < std::size_t{least_images}) {
     CorrectnessRecord record =
-        unknown(images.size() == 1 ? "one seed: nothing tells its noise from an error"
-                                   : "two seeds: nothing tells skewed noise from an error, three would");
+        unknown(images.size() == 1 ? "one seed: its noise cannot be separated from an error"
+                                   : "two seeds: skewed noise cannot be separated from an error; three seeds suffice");
     if (const auto off = worst_whole(reference.mean, mean_of(pointers))) {
       record.whole = Estimate{*off, {}};
       record.sentence += images.size() == 1 ? "; it is " : "; they are ";

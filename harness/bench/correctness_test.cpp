@@ -82,7 +82,7 @@ TEST(Correctness, of_one_seed_is_unknown_however_far_it_is_off) {
   const CorrectnessRecord record = judge(reference_by("bdpt"), images(1, 0, -0.5));
   EXPECT_EQ(record.verdict, Correctness::unknown);
   EXPECT_NEAR(record.whole->value, -0.5, 1e-6);
-  EXPECT_EQ(record.sentence, "one seed: nothing tells its noise from an error; it is -50 % overall");
+  EXPECT_EQ(record.sentence, "one seed: its noise cannot be separated from an error; it is -50 % overall");
 }
 
 TEST(Correctness, of_two_seeds_is_unknown_however_far_it_is_off) {
@@ -90,7 +90,7 @@ TEST(Correctness, of_two_seeds_is_unknown_however_far_it_is_off) {
   EXPECT_EQ(record.verdict, Correctness::unknown);
   EXPECT_NEAR(record.whole->value, -0.5, 1e-3);
   EXPECT_EQ(record.sentence,
-            "two seeds: nothing tells skewed noise from an error, three would; they are -50 % overall");
+            "two seeds: skewed noise cannot be separated from an error; three seeds suffice; they are -50 % overall");
   EXPECT_EQ(judge(reference_by("bdpt"), images(3, 0.01, -0.5)).verdict, Correctness::biased);
 }
 

@@ -99,9 +99,10 @@ std::optional<Judgement> fault_of_seeds(const Gate& gate, const StoredReference&
   if (repeats.different == repeats.images || !has_noise(reference.rendering)) return std::nullopt;
   if (repeats.different > 1) {
     if (repeats.least_difference < least_difference) return std::nullopt;
-    return without_numbers(GateVerdict::fail,
-                           fmt::format("{} images are {} different ones: the same seeds' noise counts more than once",
-                                       repeats.images, repeats.different));
+    return without_numbers(
+        GateVerdict::fail,
+        fmt::format("{} images, only {} of them different: repeated images count their noise more than once",
+                    repeats.images, repeats.different));
   }
   if (!weighs_noise(gate.metric)) return std::nullopt;
   const Image& image = *images.front();
@@ -115,7 +116,7 @@ std::optional<Judgement> fault_of_seeds(const Gate& gate, const StoredReference&
         fmt::format("All {} images are identical. The command probably ignores {{seed}}", repeats.images), reference,
         image);
   return of_identical(GateVerdict::inconclusive,
-                      fmt::format("{}: {} weighs noise, of which one image shows none; bound a metric of compare "
+                      fmt::format("{}: {} needs noise, and identical images show none; bound a metric of compare "
                                   "instead (relmse, ssim ...)",
                                   all_the_same(gate, repeats.images), gate.metric),
                       reference, image);

@@ -264,14 +264,14 @@ TEST(gate_look, one_image_for_all_seeds_is_named_and_passes_nothing_that_weighs_
     tested.unbiased = false;
     const Judgement smooth = look_at(tested, stored, {}, pointers(images));
     EXPECT_EQ(smooth.verdict, GateVerdict::inconclusive) << metric;
-    EXPECT_EQ(smooth.sentence.rfind("all 8 seeds gave the same image: " + std::string(metric) + " weighs noise", 0), 0u)
+    EXPECT_EQ(smooth.sentence.rfind("all 8 seeds gave the same image: " + std::string(metric) + " needs noise", 0), 0u)
         << smooth.sentence;
     tested.unbiased = true;
     tested.takes_seed = false;  // deterministic, without {seed}
     const Judgement deterministic = look_at(tested, stored, {}, pointers(images));
     EXPECT_EQ(deterministic.verdict, GateVerdict::inconclusive) << metric;
     EXPECT_EQ(deterministic.sentence.rfind("all 8 images are the same and the engine's command has no {seed}: " +
-                                               std::string(metric) + " weighs noise",
+                                               std::string(metric) + " needs noise",
                                            0),
               0u)
         << deterministic.sentence;
@@ -320,7 +320,8 @@ TEST(gate_look, an_image_that_comes_twice_among_others_is_found) {
   for (const char* metric : {agreement_metric, "relmse"}) {
     const Judgement judgement = look_at(gate(metric, 0.9, 0.001, 1), stored, {}, pointers(images));
     EXPECT_EQ(judgement.verdict, GateVerdict::fail) << metric;
-    EXPECT_EQ(judgement.sentence, "8 images are 7 different ones: the same seeds' noise counts more than once");
+    EXPECT_EQ(judgement.sentence,
+              "8 images, only 7 of them different: repeated images count their noise more than once");
   }
   // Two kinds of image that differ in one value may be chance: one sample in a thousand saw a light.
   for (std::size_t i = 1; i < images.size(); ++i) images[i] = images[0];

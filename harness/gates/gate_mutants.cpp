@@ -90,24 +90,23 @@ std::vector<GateVariant> all_variants() {
            "a diffuse surface scatters evenly over the hemisphere, with a cosine's density and weight");
   renderer(with_kernels, "part-of-lamp",
            "points are drawn on nine tenths of a rectangular light, with the density of all of it");
-  renderer(with_kernels, "unweighted-hits",
-           "lights that are hit count in full, though sampled lights are weighted against that");
-  renderer(with_kernels, "unpaid-roulette", "what survives roulette does not carry the light of what does not");
+  renderer(with_kernels, "unweighted-hits", "hits on lights count in full, without the weight against light sampling");
+  renderer(with_kernels, "unpaid-roulette", "paths that survive roulette do not carry the light of those that end");
   renderer({"photonmapper"}, "dim-caustic", "caustic photons carry 5 % too little");
   renderer({"photonmapper"}, "density-radius",
-           "photons are divided by the area of a radius 10 % larger than they are looked for in");
-  renderer({"photonmapper"}, "same-photons", "photons do not heed the seed");
-  renderer(with_kernels, "same-samples", "samples of paths from the camera do not heed the seed");
-  renderer({}, "wide-filter", "samples spread 20 % wider than the reconstruction filter says");
+           "the density of photons uses the area of a radius 10 % larger than the gather's");
+  renderer({"photonmapper"}, "same-photons", "photons ignore the seed");
+  renderer(with_kernels, "same-samples", "samples of camera paths ignore the seed");
+  renderer({}, "wide-filter", "samples spread 20 % wider than the reconstruction filter");
   renderer({}, "flipped-v", "bitmaps are read upside down");
   renderer({}, "raw-srgb", "bitmaps' values are taken for linear ones");
   renderer({"volpath"}, "thin-medium", "media take 10 % too little light");
   renderer({"volpath"}, "backward-phase", "the phase function's g has the wrong sign");
-  renderer({}, "fov-axis", "the field of view is across the height, whatever the scene says");
+  renderer({}, "fov-axis", "the field of view is across the height, even where the scene has another axis");
   renderer({}, "spot-angle", "a spot's half-angles are taken for whole ones");
   renderer({}, "turned-sky", "an environment is turned the other way");
   renderer({}, "swapped-ior", "glass has the index of its outside, and the outside that of glass");
-  renderer(with_kernels, "single-reflection", "a pane reflects as its front alone");
+  renderer(with_kernels, "single-reflection", "a pane reflects with its front alone");
   renderer({}, "flat-normals", "normals of meshes are not interpolated");
 
   const auto harness = [&](PlantedIn where, const char* name, const char* what) {
@@ -115,8 +114,8 @@ std::vector<GateVariant> all_variants() {
   };
   harness(PlantedIn::drawing, "repeated-seed", "all images of an engine are drawn with one seed");
   harness(PlantedIn::drawing, "upside-down", "engines' images are read upside down");
-  harness(PlantedIn::drawing, "quarter-budget", "engines are told a quarter of the budget");
-  harness(PlantedIn::judging, "red-for-all", "engines' green and blue are not looked at, red stands for them");
+  harness(PlantedIn::drawing, "quarter-budget", "engines get a quarter of the budget");
+  harness(PlantedIn::judging, "red-for-all", "engines' green and blue are replaced by red");
   harness(PlantedIn::judging, "certain-noise", "the noise of a block's mean is divided by the number of images twice");
 
   const auto edit = [&](Image (*change)(const Image&), const char* name, const char* what) {

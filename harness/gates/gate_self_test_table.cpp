@@ -110,7 +110,7 @@ std::string mutants_table(const GateSuite& suite, const SelfTest& test, const Se
   }
   if (rows.empty()) return "";
   return fmt::format(
-      "## {}\n\n| planted | at least one gate | found by, always or in so many per cent |\n|---|--:|---|\n{}\n",
+      "## {}\n\n| planted | at least one gate | found by (in % of runs where not always) |\n|---|--:|---|\n{}\n",
       section.title, rows);
 }
 
@@ -151,13 +151,11 @@ std::string conclusion(const SelfTest& test) {
       unseen.push_back(test.variants[v].name);
   std::string text;
   if (!unseen.empty())
-    text += fmt::format("Change no image of this suite, which shows nothing that could have them: {}.\n\n",
-                        fmt::join(unseen, ", "));
+    text += fmt::format("These faults change no image of this suite: {}.\n\n", fmt::join(unseen, ", "));
   for (std::size_t v = 0; v < test.variants.size(); ++v)
     if (test.any[v].out_of_time)
-      text +=
-          fmt::format("{} ran into a limit of wall time, which proves nothing of it, and was not judged by: {}.\n\n",
-                      test.variants[v].name, fmt::join(not_judging(test, v), ", "));
+      text += fmt::format("{} ran into a limit of wall time and was not judged by: {}.\n\n", test.variants[v].name,
+                          fmt::join(not_judging(test, v), ", "));
   for (const Unpromised& row : test.unpromised)
     for (std::size_t v = 0; v < test.variants.size(); ++v)
       if (test.variants[v].name == row.planted && test.any[v].runs > 0)
@@ -167,9 +165,8 @@ std::string conclusion(const SelfTest& test) {
     text += fmt::format("Not found in 99 of 100 runs: {}.\n", fmt::join(names, ", "));
   if (self_test_passes(test))
     text +=
-        "All else that changes an image of this suite is found in at least 99 of 100 runs, and no gate has more false "
-        "alarms than its "
-        "alpha explains (95 %).\n";
+        "Every other fault that changes an image of this suite is found in at least 99 of 100 runs. No gate has more "
+        "false alarms than its alpha explains (95 %).\n";
   return text;
 }
 
@@ -185,10 +182,10 @@ bool self_test_passes(const SelfTest& test) {
 std::string self_test_table(const GateSuite& suite, const SelfTest& test, const std::string& command) {
   std::string text = fmt::format("# What the gates of `{}` find\n\n```sh\n{}\n```\n\n", suite.name, command);
   text += fmt::format(
-      "Runs in which a gate fails, in per cent: where something is planted it is found, else it is a false alarm. A "
-      "run's first look takes {} images of its stream's pool. Those of a pool of {} times as many as there are runs "
-      "are disjoint; beyond that runs share images, and false alarms are weighed as the disjoint runs that there are. "
-      "Faults of the renderer and of the harness are one condition in the source each (scenes/base/faults.h).\n\n",
+      "Percentages count the runs in which a gate fails: with a planted fault it is found, without one it is a false "
+      "alarm. A run's first look takes {} images from a pool. Runs are disjoint when the pool has {} times as many "
+      "images as there are runs. In a smaller pool runs share images, and false alarms count as those of the disjoint "
+      "runs. Each fault of the renderer and of the harness is one condition in the source (scenes/base/faults.h).\n\n",
       test.seeds, test.seeds);
   for (const Section& section : {Section{"In the renderer", {PlantedIn::renderer}},
                                  Section{"In the harness", {PlantedIn::drawing, PlantedIn::judging}},

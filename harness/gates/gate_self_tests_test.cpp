@@ -64,13 +64,13 @@ TEST_F(GateSelfTest, table_has_a_row_a_mutant_with_its_finders_and_a_row_a_gate_
   const std::string table = self_test_table(suite_, test, "the command");
   for (const char* part :
        {"# What the gates of `fake` find\n\n```sh\nthe command\n```\n",
-        "## In the harness\n\n| planted | at least one gate | found by, always or in so many per cent |\n",
+        "## In the harness\n\n| planted | at least one gate | found by (in % of runs where not always) |\n",
         "| **upside-down**: engines' images are read upside down | 100 | good/agreement: scene |\n",
         "| **hole**: a square of a twelfth of the sides is black | 100 | good/agreement: scene; good/flip: scene 35 "
         "|\n",
         "| gate | images | other seeds | inconclusive | alarms of disjoint runs | most that alpha explains |\n",
         "| scene/good/agreement | 24 | 0 | 0 | 0 of 3 | 0 |\n", "| **at least one gate** | | **0** | | | |\n",
-        "Change no image of this suite, which shows nothing that could have them: dropped-cosine, "})
+        "These faults change no image of this suite: dropped-cosine, "})
     EXPECT_NE(table.find(part), std::string::npos) << part << "\n" << table;
   EXPECT_EQ(table.find("## In the renderer"), std::string::npos) << table;
 }
@@ -80,7 +80,7 @@ TEST_F(GateSelfTest, passes_when_all_that_changes_an_image_is_found) {
   const std::size_t noise = number_of(test, "certain-noise"), hole = number_of(test, "hole");
   test.any[noise].fail = test.any[noise].runs;
   EXPECT_TRUE(self_test_passes(test));
-  EXPECT_NE(self_test_table(suite_, test, "").find("All else that changes an image of this suite is found"),
+  EXPECT_NE(self_test_table(suite_, test, "").find("Every other fault that changes an image of this suite is found"),
             std::string::npos);
   test.any[hole].fail = 19;  // of 20
   EXPECT_FALSE(self_test_passes(test));
@@ -110,8 +110,7 @@ TEST_F(GateSelfTest, a_limit_of_wall_time_finds_nothing) {
   const std::string table = self_test_table(suite_, test, "");
   EXPECT_FALSE(self_test_passes(test));
   for (const char* part :
-       {"repeated-seed ran into a limit of wall time, which proves nothing of it, and was not judged "
-        "by: scene/slow-at-one/agreement.\n",
+       {"repeated-seed ran into a limit of wall time and was not judged by: scene/slow-at-one/agreement.\n",
         "Not found in 99 of 100 runs: repeated-seed.\n"})
     EXPECT_NE(table.find(part), std::string::npos) << part << "\n" << table;
   EXPECT_EQ(table.find("repeated-seed, "), std::string::npos) << table;  // the table does not claim that it changes

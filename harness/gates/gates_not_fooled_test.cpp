@@ -188,7 +188,7 @@ TEST_F(GatesNotFooled, engines_are_set_against_each_other_when_all_gates_are_dec
   const ProcessOutcome outcome = run_gate(
       "[[gate]]\nscene = 'scene'\nengine = ['good', 'dim']\nbudget = 'spp=64'\nmetric = 'agreement'\nbound = 0.05\n");
   EXPECT_EQ(outcome.exit_code, 1);
-  const std::string together = "scene: dim fails where good passes: its reference serves others";
+  const std::string together = "scene: dim fails where good passes: other gates pass with the same reference";
   EXPECT_EQ(outcome.standard_output.rfind("fake: 1 pass, 1 fail, 0 inconclusive\ntogether: " + together + "\n", 0), 0u)
       << outcome.standard_output;
   EXPECT_EQ(results().findings, std::vector<std::string>{together});

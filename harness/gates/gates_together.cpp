@@ -56,14 +56,14 @@ class SceneVerdicts {
              (ours ? ", " + std::string(shared_by_all) + common_text(own(failing_)) : "");
     const std::string where =
         fail + " where " + listed(passing_, "and") + (passing_.size() == 1 ? " passes" : " pass") + ": ";
-    if (!ours) return where + "its reference serves others";
+    if (!ours) return where + "other gates pass with the same reference";
     Names suspects;
     for (const std::string& pass : own(failing_))
       if (!run_by_any(passing_, pass)) suspects.push_back(pass);
     if (!suspects.empty()) return where + "look at " + listed(suspects, "or");
     return where + (failing_.size() > 1 && own(failing_).empty()
-                        ? "they share no part but what the others run, too: more than one cause"
-                        : "no part of ours is theirs alone; the bounds may differ more than the engines do");
+                        ? "the parts that they share run in the others, too: more than one cause"
+                        : "the others run all their parts; the bounds may differ more than the engines do");
   }
 
  private:

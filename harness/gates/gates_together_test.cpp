@@ -64,16 +64,17 @@ TEST_F(GatesTogether, nothing_is_blamed_that_a_passing_engine_runs_too) {
   suite_.engines.push_back(suite_.engine("path"));
   suite_.engines.back().name = "path-2";
   add("furnace", "path-2", fail);
-  EXPECT_EQ(said(), (Sentences{"cornell: bdpt and path fail where photonmapper passes: they share no part but what the "
-                               "others run, too: more than one cause",
-                               "furnace: path-2 fails where path passes: no part of ours is theirs alone; the bounds "
-                               "may differ more than the engines do"}));
+  EXPECT_EQ(said(),
+            (Sentences{"cornell: bdpt and path fail where photonmapper passes: the parts that they share run in the "
+                       "others, too: more than one cause",
+                       "furnace: path-2 fails where path passes: the others run all their parts; the bounds "
+                       "may differ more than the engines do"}));
 }
 
 TEST_F(GatesTogether, programs_of_others_are_set_against_ours_without_guesses_about_their_insides) {
   add("cornell", "mine", fail);
   add("cornell", "path", pass);
-  EXPECT_EQ(said(), Sentences{"cornell: mine fails where path passes: its reference serves others"});
+  EXPECT_EQ(said(), Sentences{"cornell: mine fails where path passes: other gates pass with the same reference"});
 }
 
 TEST_F(GatesTogether, one_engine_alone_and_what_left_no_images_say_nothing) {
