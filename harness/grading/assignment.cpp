@@ -219,7 +219,7 @@ Assignment read_assignment(const fs::path& file) {
     const TomlTable reference = document.table("reference");
     assignment.reference = reference_source(reference);
     if (assignment.reference.seeds == 1 && assignment.seeds)
-      throw reference.error("seeds", "'seeds' is 1, but [run] says that the program draws by {seed}: 2 at least");
+      throw reference.error("seeds", "'seeds' is 1, but the command of [run] has {seed}: expected 2 at least");
   }
   assignment.correctness = correctness_rule(document.table("correctness"));
   read_points(document, assignment);

@@ -74,7 +74,7 @@ void check_needs(const TomlTable& table, const Assignment& assignment, const Ass
   const bool is_told = mentions(assignment.run_command, "{scene}") || !scene.params_template.empty();
   if (!scene.variant.empty() && scene.variant != "resolution" && !is_told)
     throw table.error("variant",
-                      "the program would not be told of it: the command has no {scene}, and there is no "
+                      "the program would not receive it: the command has no {scene}, and there is no "
                       "'params_template'");
   if (assignment.reference.kind == ReferenceSource::Kind::engine && scene.path.empty())
     throw table.error("references are by " + assignment.reference.engine + ": 'path' is missing");

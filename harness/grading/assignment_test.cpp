@@ -67,7 +67,7 @@ TEST_F(AssignmentFile, what_contradicts_itself_is_refused_with_its_place) {
   EXPECT_EQ(error_with("blocks = ", "partial = {metric = \"flip\", full = 0.3, none = 0.1}\nblocks = "),
             "bad.toml:17:48: error: 'none' must be more than 'full'");
   EXPECT_EQ(error_with("[points]", "[reference]\nfrom = \"baseline\"\nseeds = 1\n[points]"),
-            "bad.toml:24:9: error: 'seeds' is 1, but [run] says that the program draws by {seed}: 2 at least");
+            "bad.toml:24:9: error: 'seeds' is 1, but the command of [run] has {seed}: expected 2 at least");
   const std::string endless(300, 'n');  // longer than any file's name
   EXPECT_EQ(error_with("\"handout\"", '"' + endless + '"'),
             "bad.toml:14:14: error: no such file or folder: " + endless);

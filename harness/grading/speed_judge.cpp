@@ -100,9 +100,9 @@ std::string noise_reason(const PerformanceRule& rule, const SpeedGrade& grade,
     return fmt::format("{} of at least {} rounds", rounds.size(), least_speed_rounds);
   const SpeedTier* const tier = rule.curve || is_wide(grade) ? nullptr : open_tier(rule, *grade.speedup.interval);
   if (tier != nullptr)
-    return fmt::format("{:.3g} times, where {:.3g} points begin, lies within the interval, and counts as reached",
+    return fmt::format("the interval contains {:.3g} times, where {:.3g} points begin; this counts as reached",
                        tier->ratio, tier->points);
-  return fmt::format("the interval is {:.2g} % wide, and {:.2g} % are asked for",
+  return fmt::format("the interval is {:.2g} % wide; at most {:.2g} % are asked for",
                      100 * relative_width(*grade.speedup.interval), 100 * precision_of(rule).value_or(narrow_width));
 }
 
@@ -152,7 +152,7 @@ SpeedJudgement judge_speed(const PerformanceRule& rule, const std::vector<std::s
   SpeedJudgement judgement;
   SpeedGrade& grade = judgement.grade;
   if (rounds.empty()) {
-    grade.sentence = "not timed: the time for it was over";
+    grade.sentence = "not timed: time ran out";
     return judgement;
   }
   bool disturbed = false;

@@ -75,7 +75,8 @@ TEST(SpeedJudge, precision_that_is_asked_for_is_waited_for) {
   const SpeedJudgement wide = judge_speed(rule, {"a"}, rounds_of({3.95, 4, 4.05}), 2, true);
   EXPECT_EQ(wide.grade.state, SpeedGrade::State::too_noisy);
   EXPECT_EQ(wide.grade.points, 20);
-  EXPECT_NE(wide.grade.sentence.find("too noisy: the interval is 33 % wide, and 10 % are asked for"), std::string::npos)
+  EXPECT_NE(wide.grade.sentence.find("too noisy: the interval is 33 % wide; at most 10 % are asked for"),
+            std::string::npos)
       << wide.grade.sentence;
   const SpeedJudgement narrow = judge_speed(rule, {"a"}, rounds_of({3.99, 4, 4.01}), 2, false);
   EXPECT_TRUE(narrow.decided);
@@ -92,7 +93,7 @@ TEST(SpeedJudge, a_tier_within_the_interval_is_said_and_counts) {
   EXPECT_EQ(judgement.grade.state, SpeedGrade::State::too_noisy);
   EXPECT_LT(judgement.grade.speedup.value, 5);
   EXPECT_EQ(judgement.grade.points, 40);
-  EXPECT_NE(judgement.grade.sentence.find("too noisy: 5 times, where 40 points begin, lies within the interval"),
+  EXPECT_NE(judgement.grade.sentence.find("too noisy: the interval contains 5 times, where 40 points begin"),
             std::string::npos)
       << judgement.grade.sentence;
 }
