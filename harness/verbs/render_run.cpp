@@ -101,7 +101,7 @@ void print_summary(const RenderArguments& arguments, const Rendered& rendered, d
   std::string left_out;
   for (const RenderPlan::Decision& d : plan.decisions)
     if (d.skipped) left_out += (left_out.empty() ? "" : ", ") + std::string(skip_row(d.skip).name);
-  if (!left_out.empty()) std::printf("skipped %s (--plan says why)\n", left_out.c_str());
+  if (!left_out.empty()) std::printf("skipped %s (--plan prints why)\n", left_out.c_str());
 }
 
 /// Prints warnings. Returns the exit code.

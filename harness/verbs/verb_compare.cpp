@@ -93,8 +93,8 @@ void check_agreement(const CompareOptions& options, const Rendering& reference, 
   comparison.agreement = test_agreement(reference, test, alpha, options.shared_noise);
   if (comparison.agreement->inconclusive)
     comparison.findings.push_back({Verdict::warn,
-                                   "agreement is inconclusive: pixels share noise, so only single pixels could be "
-                                   "judged; the images do not say how certain their means are"});
+                                   "agreement is inconclusive: pixels share noise, and the images do not state "
+                                   "their means' standard errors; only single pixels were judged"});
   for (const StatisticalVerdict* part :
        {&comparison.agreement->pixels, &comparison.agreement->blocks, &comparison.agreement->whole})
     if (!part->pass) comparison.findings.push_back({Verdict::fail, part->sentence});

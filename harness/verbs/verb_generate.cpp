@@ -56,7 +56,7 @@ int run_million(const GenerateArguments& arguments) {
   check_free(folder, million_files(), arguments.force);
   make_folder(folder);
   write_million(folder, plan);
-  std::printf("%s: %llu triangles, of which %u rocks of %d\n", (folder / "scene.xml").c_str(),
+  std::printf("%s: %llu triangles; %u rocks of %d triangles each\n", (folder / "scene.xml").c_str(),
               static_cast<unsigned long long>(plan.triangles()), plan.rocks, 20 << (2 * plan.rock_level));
   return 0;
 }

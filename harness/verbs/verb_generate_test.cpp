@@ -19,7 +19,7 @@ TEST_F(GenerateVerb, makes_the_folder_and_says_what_is_in_it) {
   const ProcessOutcome outcome = generate("1e4");
   EXPECT_EQ(outcome.exit_code, 0) << outcome.standard_error;
   EXPECT_EQ(outcome.standard_output,
-            (folder_ / "made/here/scene.xml").string() + ": 10004 triangles, of which 100 rocks of 20\n");
+            (folder_ / "made/here/scene.xml").string() + ": 10004 triangles; 100 rocks of 20 triangles each\n");
   for (const char* file : {"scene.xml", "expect.toml", "terrain.ply", "rocks.ply"})
     EXPECT_TRUE(has("made/here/" + std::string(file))) << file;
 }

@@ -194,7 +194,7 @@ void print(const Job& job, const Provenance& p, const std::vector<fs::path>& fil
               p.estimator.c_str(), p.width, p.height, p.seeds.size(),
               static_cast<unsigned long long>(p.samples / p.seeds.size()), percent_text(p.standard_error).c_str(),
               bias.c_str());
-  if (p.witness) std::printf("witness: %s\n", facts(p).at("witness").c_str());
+  if (p.witness) std::printf("second estimator: %s\n", facts(p).at("witness").c_str());
   for (const fs::path& file : files) std::printf("reference: %s\n", file.c_str());
 }
 
@@ -211,7 +211,7 @@ void find_witness(const Job& job, const Rendering& rendering, Provenance& proven
                                           [&](const std::string& name) { return refusal_of(job, name, true); });
   if (witness.empty()) {
     if (!job.arguments.quiet)
-      std::fprintf(stderr, "no witness: only %s's way of finding light renders this scene\n",
+      std::fprintf(stderr, "no second estimator: only %s's way of finding light renders this scene\n",
                    provenance.estimator.c_str());
     return;
   }
@@ -222,10 +222,9 @@ void find_witness(const Job& job, const Rendering& rendering, Provenance& proven
   const PairTest test = test_witness(rendering, provenance.bias, second);
   if (test.differs || test.is_undecided)
     throw InputError(job.arguments.scene.path,
-                     provenance.estimator + " and " + witness +
-                         " disagree, and one reference cannot be both: " + (test.differs ? witness + " is " : "") +
-                         test.sentence + "; `photonproof verify` says which is wrong, " +
-                         "--no-witness keeps the first without the second");
+                     provenance.estimator + " and " + witness + " disagree, so that no reference is stored: " +
+                         (test.differs ? witness + " is " : "") + test.sentence +
+                         "; `photonproof verify` finds which is wrong, " + "--no-witness skips this check");
   provenance.witness = {witness,
                         static_cast<std::uint64_t>(progress.means.batches()) *
                             static_cast<std::uint64_t>(progress.means.samples_per_batch()),
@@ -252,12 +251,12 @@ int write_out(const Job& job, const fs::path& kept, const Rendering& rendering, 
   }
   print(job, provenance, files, reached);
   if (std::hypot(provenance.standard_error, provenance.bias) > 1.5 * arguments.standard_error && reached) {
-    std::fprintf(stderr, "more batches do not lessen a bias of %s; a smaller --standard-error makes them longer\n",
+    std::fprintf(stderr, "more batches do not reduce the bias of %s; a smaller --standard-error makes batches longer\n",
                  percent_text(provenance.bias).c_str());
     return 1;
   }
   if (reached) return 0;
-  std::fprintf(stderr, "the time is over before a standard error of %s; the same command goes on from here\n",
+  std::fprintf(stderr, "time ran out before the standard error reached %s; the same command continues\n",
                percent_text(arguments.standard_error).c_str());
   return 1;
 }
@@ -271,8 +270,8 @@ bool is_better(const Provenance& cached, const Provenance& fresh, double standar
 
 int unfinished(const ReferenceProgress& progress) {
   const bool interrupted = progress.end == ReferenceProgress::End::interrupted;
-  std::fprintf(stderr, "%s: kept %d finished batches%s; the same command goes on from here\n",
-               interrupted ? "interrupted" : "the time is over", progress.means.batches(),
+  std::fprintf(stderr, "%s: kept %d finished batches%s; the same command continues\n",
+               interrupted ? "interrupted" : "time ran out", progress.means.batches(),
                progress.standard_error ? (", standard error " + percent_text(*progress.standard_error)).c_str() : "");
   return interrupted ? 130 : 1;
 }

@@ -165,7 +165,7 @@ TEST_F(RenderVerb, what_does_not_fit_in_memory_is_one_error_that_says_what_to_ch
   // A film's pixel is 64 bytes, once more in a checkpoint: 128 x 2^28 bytes are 32768 MB.
   const ProcessOutcome film = limited("8000000", {"--size", "16384x16384", "--spp", "1"});
   EXPECT_EQ(film.exit_code, 2);
-  EXPECT_NE(film.standard_error.find(": error: an image of 16384x16384 pixels takes 32768 MB of memory, of which "),
+  EXPECT_NE(film.standard_error.find(": error: an image of 16384x16384 pixels takes 32768 MB of memory, but only "),
             std::string::npos)
       << film.standard_error;
   // 2^24 cells have 2^25 triangles: 12 bytes of indices each and 2^24 vertices of 12 bytes are over half a gigabyte.

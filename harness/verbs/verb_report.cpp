@@ -74,7 +74,7 @@ void write_reports(const ReportOptions& options) {
     throw InputError("--output", "names one file, but more than one format is asked for");
   }
   if (options.output.empty() && (options.results.starts_with("/dev/") || options.results.starts_with("/proc/")))
-    throw InputError(options.results, "is no file that a report can lie beside: name the report with -o");
+    throw InputError(options.results, "cannot have a report beside it: name the report with -o");
   Results results = read_results(options.results);
   const fs::path folder = folder_of(options.results);
   note_replaced_images(results, folder);

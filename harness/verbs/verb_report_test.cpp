@@ -110,7 +110,7 @@ TEST_F(ReportVerb, a_missing_record_is_an_input_error) {
 
 TEST_F(ReportVerb, a_record_from_a_pipe_needs_a_name_for_its_report) {
   EXPECT_EQ(complaint([&] { run({"/dev/stdin"}); }),
-            "/dev/stdin: error: is no file that a report can lie beside: name the report with -o");
+            "/dev/stdin: error: cannot have a report beside it: name the report with -o");
 }
 
 TEST_F(ReportVerb, says_which_image_is_not_the_one_that_was_measured) {
