@@ -127,10 +127,10 @@ class SceneRender {
   void note_lost_variance(const Film& film) {
     const VarianceInFloat variance = film.variance_in_float();
     if (variance.lost == 0) return;
-    stats_.losses.push_back(
-        "the variance of " + std::to_string(variance.lost) + (variance.lost == 1 ? " pixel is" : " pixels is") +
-        " beyond single precision, as radiances above 1e19 or below 1e-19 make it: " +
-        (variance.fits ? "its layer says little or nothing there" : "the image has no variance layer"));
+    stats_.losses.push_back("the variance of " + std::to_string(variance.lost) +
+                            (variance.lost == 1 ? " pixel is" : " pixels is") +
+                            " beyond single precision, as radiances above 1e19 or below 1e-19 make it: " +
+                            (variance.fits ? "its layer is unreliable there" : "the image has no variance layer"));
   }
 
   void note_missed_spots() {

@@ -33,7 +33,7 @@ void check_memory(const SceneDescription& description, const Tile& window, bool 
   const auto megabytes = [](std::uint64_t n) { return std::to_string(n >> 20) + " MB"; };
   throw InputError(description.where(description.sensor.loc),
                    "an image of " + size_text(window.width(), window.height()) + " pixels takes " + megabytes(bytes) +
-                       " of memory, of which " + megabytes(*available) +
+                       " of memory, but only " + megabytes(*available) +
                        " are free: render it smaller or, by --crop, in parts");
 }
 

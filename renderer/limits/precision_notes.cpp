@@ -60,7 +60,7 @@ void add_camera_notes(const SceneDescription& description, Notes& notes) {
   if (pixel < least_steps_a_pixel * float_step)
     notes.add(sensor.loc, "a pixel is " + short_number(pixel) +
                               " radians wide, and directions in single precision are " + short_number(float_step) +
-                              " apart: what is so far away is seen better by an orthographic camera near it");
+                              " apart: an orthographic camera near the scene is more exact");
   const auto* lens = std::get_if<ThinLensDescription>(&sensor.camera);
   const auto* pinhole = lens != nullptr ? &lens->perspective : std::get_if<PerspectiveDescription>(&sensor.camera);
   if (pinhole != nullptr && std::tan(pinhole->fov_degrees * std::numbers::pi / 360) > widest_tangent)
@@ -116,7 +116,7 @@ void add_notes_of_medium(const MediumDescription& medium, double scale, double r
                               short_number(float_step * reach / scale) + " apart: it may get nowhere");
   else if (scatterings > most_scatterings)
     notes.add(medium.loc, "light is scattered some " + short_number(scatterings) + " times on its way through '" +
-                              medium.id + "': few paths are followed so far, and the error may be more than they show");
+                              medium.id + "': few paths are followed so far, and the error may exceed what they show");
 }
 
 void add_medium_notes(const SceneDescription& description, const SceneParts& scene, Notes& notes) {
@@ -226,8 +226,9 @@ void add_hidden_light_notes(const SceneDescription& description, const ScenePart
     return "the light lies in a surface: integrators differ in whether it lights it";
   });
   add_notes_of_lights(description, lights_on_surfaces(scene), notes, [](const NearLight& area_light) {
-    return "the light is " + short_number(area_light.height) + " from a surface, and what is less than " +
-           short_number(area_light.resolved) + " apart there rays take for one: either may hide the other";
+    return "the light is " + short_number(area_light.height) +
+           " from a surface, and rays there do not separate what is less than " + short_number(area_light.resolved) +
+           " apart: either may hide the other";
   });
 }
 
@@ -261,11 +262,10 @@ std::vector<SceneNote> notes_on_missed_spots(const SceneDescription& description
   const std::vector<NearLight> low = lights_above_spots(scene, std::min(highest, 0.1 * focus->size));
   add_notes_of_lights(description, low, notes, [&](const NearLight& area_light) {
     return "the light is " + short_number(area_light.height) +
-           " above a surface, which it lights most in a spot that " +
+           " above a surface, and its brightest spot there is reached by " +
            short_number(camera_paths * spot * area_light.height * area_light.height / area) + " of " +
            short_number(camera_paths) +
-           " camera paths meet: the variance may not know what they miss, and integrators that trace light paths, too, "
-           "find it";
+           " camera paths: the variance may be too small; integrators that also trace light paths find the spot";
   });
   return std::move(notes.made);
 }

@@ -156,8 +156,8 @@ TEST(scene_notes, say_spots_that_few_camera_paths_meet) {
   ASSERT_EQ(of_many.size(), 16u);
   EXPECT_THAT(of_many.back().text, testing::HasSubstr("; it is alike with 24 more lights after this one"));
   EXPECT_THAT(notes(1e-3, 1e6),
-              testing::MatchesRegex("s.xml:2:1: the light is 0.001 above a surface, which it lights "
-                                    "most in a spot that [0-9.]+ of 1e[+]06 camera paths meet: .*\n"));
+              testing::MatchesRegex("s.xml:2:1: the light is 0.001 above a surface, and its brightest "
+                                    "spot there is reached by [0-9.]+ of 1e[+]06 camera paths: .*\n"));
 }
 
 TEST(scene_notes, say_suns_and_media_beyond_precision) {
