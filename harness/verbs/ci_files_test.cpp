@@ -90,7 +90,7 @@ TEST_F(CiFiles, workflow_is_one_that_github_reads) {
       EXPECT_EQ(complaints(as_github_runs_it + step.at("run").get<std::string>()), "") << name;
     }
   }
-  // What must happen even after a gate failed.
+  // These steps run even after a gate failed.
   for (const json& step : job.at("steps"))
     if (step.at("name") == "Keep the report" || step.at("name") == "Summary") {
       EXPECT_EQ(step.at("if"), "always()");

@@ -65,8 +65,8 @@ TEST_F(CompareProgram, refuses_an_unknown_metric_in_one_line) {
   EXPECT_EQ(outcome.standard_output, "");
 }
 
-// What a tall pair may take beyond a short one, for which program, libraries, the threads' tiles and flip's histogram
-// are the same. At this width a band is 8 rows of tiles, 1024 pixel rows (metric_run.cpp, band_height):
+// Memory that a tall pair may take beyond a short one. Program, libraries, the threads' tiles and flip's histogram take
+// the same for both. At this width a band is 8 rows of tiles, 1024 pixel rows (metric_run.cpp, band_height):
 //   rows of both images      2 x (1024 + 2 x 10 rows of reach) x 3 floats a pixel, twice while the next are made room
 //   for scales 2 to 5 of ms_ssim 2 x 3 planes of doubles; the second has 1/4 of the pixels, all four 1/3 of them; twice
 //   again relmse_trimmed           the errors of one band at most, thrice (parts, all of them, its growth), and one

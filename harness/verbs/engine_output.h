@@ -1,4 +1,4 @@
-// What the verbs that render share: the progress line and where the stats go.
+// The parts that verbs which render share: the progress line and the place of the stats.
 #pragma once
 
 #include <functional>
@@ -6,8 +6,8 @@
 
 namespace photonproof::inline harness_verbs {
 
-/// ", 40 s left", ", 3 min left" or ", 1.5 h left" after `seconds` in which the fraction `done` of the work was done
-/// and `left` remains; empty where too little is done to say.
+/// ", 40 s left", ", 3 min left" or ", 1.5 h left"; empty where too little is done to tell. The fraction `done` of the
+/// work took `seconds`, and `left` remains.
 std::string time_left(double seconds, double done, double left);
 
 /// A line on standard error that rewrites itself; empty where standard error is no terminal, or `quiet`.
@@ -20,7 +20,7 @@ std::string checked_stats_path(const std::string& asked, const std::string& imag
 /// The exit code of `run`, or 3 with the reason on stderr's last line when another engine cannot express the scene.
 int refusing_with_3(const std::function<int()>& run);
 
-/// Of a verb whose engine did not finish, which is not the scene's fault.
+/// Exit code of a verb whose engine did not finish for a reason other than the scene.
 constexpr int failed_engine_exit_code = 70;
 
 /// The exit code of `run`; or, with a line on stderr, 130 when an interrupt ended the engine before anything was

@@ -168,8 +168,8 @@ TEST_F(FilmParameters, size_is_that_of_the_film_and_the_crop_keeps_its_share) {
   EXPECT_EQ(render("smaller.xml", {}).mean.rgb, render("whole.xml", {"--spp", "3", "--size", "30x20"}).mean.rgb);
 }
 
-// Seen along +z by parallel rays, six columns of a third of a unit; all but the first are lit, and what lies beyond the
-// right, upper and lower borders.
+// Six columns of a third of a unit, seen along +z by parallel rays. Light comes from every column after the first, and
+// from beyond the right, upper and lower borders.
 const std::string lit_from_column_one =
     "<transform name='to_world'><scale x='1.8333333333' y='5'/><translate x='-1.1666666667'/></transform>"
     "<boolean name='flip_normals' value='true'/>";

@@ -68,10 +68,9 @@ double worst(const Image& image, const std::function<double(int, int)>& expected
   return largest;
 }
 
-/// Mean over a pixel, on the 8x8 grid that the engines are told to sample (the far rows dim by a quarter a pixel:
-/// random samples would show that slope as noise), of the radiance a plane of albedo 0.5 at y = 0 shows under
-/// `irradiance`, seen by the camera of light-point and light-area: at (0, 1.5, 3), looking at the origin, 30 degrees
-/// across.
+/// Radiance of a plane of albedo 0.5 at y = 0 under `irradiance`, as a pixel's mean over the 8x8 grid that the engines
+/// sample. Random samples would show slopes as noise, since the far rows dim by a quarter a pixel. The camera is that
+/// of light-point and light-area: at (0, 1.5, 3), looking at the origin, 30 degrees across.
 double plane_radiance(int x, int y, int size, const std::function<double(const Vec3d&)>& irradiance) {
   const Vec3d eye{0, 1.5, 3};
   const Vec3d forward = normalize(-eye);

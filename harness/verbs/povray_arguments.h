@@ -1,4 +1,4 @@
-// What the two verbs that turn a scene into POV-Ray's language have in common.
+// Arguments of the two verbs that translate a scene into POV-Ray's language.
 #pragma once
 
 #include <string>

@@ -42,7 +42,7 @@ int run_program(CLI::App& program, int argc, char** argv, const int& exit_code) 
     std::fprintf(stderr, "photonproof: out of memory: make the image, the meshes or the number of photons smaller\n");
     return 2;
   } catch (const std::filesystem::filesystem_error& error) {
-    // Of a user's folder: unreadable, gone in the meantime, a name too long.
+    // A user's folder is unreadable, was removed meanwhile, or has too long a name.
     print_lines(InputError(error.path1().string(), "cannot be used: " + error.code().message()).summary() + "\n");
     return 2;
   } catch (const std::exception& error) {

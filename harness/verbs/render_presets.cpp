@@ -51,9 +51,8 @@ std::string apply_course(SceneDescription& scene, bool size_is_asked_for) {
 }  // namespace
 
 const std::vector<RenderPreset>& render_presets() {
-  static const std::vector<RenderPreset> presets{{"course",
-                                                  "course: photonmapper at 600x600, as the course assigns it", 1,
-                                                  apply_course}};
+  static const std::vector<RenderPreset> presets{
+      {"course", "course: photonmapper at 600x600, as the course assigns it", 1, apply_course}};
   return presets;
 }
 

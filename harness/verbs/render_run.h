@@ -1,4 +1,4 @@
-// What `photonproof render` does once its command line is read.
+// Runs `photonproof render` after its command line is read.
 #pragma once
 
 #include <cstdint>

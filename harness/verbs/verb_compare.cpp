@@ -1,7 +1,10 @@
 // photonproof compare REF TEST: every metric of a pair of images, bounds on them, heat maps.
-// Exit codes are those of OpenImageIO's idiff: 0 ok, 1 a --warn bound broken, 2 a --fail bound broken, no agreement or
-// a value that is not finite, 3 sizes differ, 4 a file cannot be read or written. (2 is also the program's code for
-// wrong usage.)
+// Exit codes are those of OpenImageIO's idiff:
+//   0  ok
+//   1  a --warn bound is broken
+//   2  a --fail bound is broken, images disagree, a value is not finite, or wrong usage
+//   3  sizes differ
+//   4  a file cannot be read or written
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -316,7 +319,7 @@ std::optional<std::string> set_from(const std::vector<std::string>& texts, const
   return set_parameter(parameter, numbers, values);
 }
 
-/// Of a single number CLI11 says what is wrong, as of other options; of several that are wrong together, an InputError.
+/// CLI11 checks a single number, as for other options. Several that are wrong together are an InputError.
 void add_parameter_options(CLI::App& verb, ParameterValues& values) {
   for (const MetricParameter& parameter : metric_parameters) {
     const std::string name = option_of(parameter.name), range = range_text(parameter);

@@ -337,8 +337,8 @@ TEST_F(CompareVerb, agreement_fails_beyond_the_noise_and_needs_variances) {
   const std::string ref = write_noisy("a.exr", 1);
   const Run pass = compare({ref, write_noisy("b.exr", 1.01f), "--agreement"});
   EXPECT_EQ(pass.exit_code, 0);
-  // Each channel's mean is tested at 1 - 0.99^(1/9) = 0.00111608, two-sided quantile 3.2595; with the quantile of 0.99,
-  // 2.3263, that is 5.5858 deviations: d = 5.5858 sqrt((1 + (1 + d)^2) 0.01/256).
+  // Each channel's mean is tested at 1 - 0.99^(1/9) = 0.00111608, whose two-sided quantile is 3.2595. The quantile of
+  // 0.99 is 2.3263. The sum is 5.5858 deviations: d = 5.5858 sqrt((1 + (1 + d)^2) 0.01/256).
   EXPECT_NE(pass.out.find("agreement: pass; an error of 5.1 % of the whole image would have been seen (probability "
                           "0.99)\n"),
             std::string::npos)

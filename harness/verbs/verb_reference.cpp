@@ -1,6 +1,6 @@
 // photonproof reference: a scene's mean image, as certain as asked, with its variance and provenance.
-// Exit codes: 0 done, 1 the time was over before the standard error was reached, 2 bad input, 130 interrupted (what is
-// finished is kept, and the same command goes on).
+// Exit codes: 0 done, 1 time ran out before the standard error was reached, 2 bad input, 130 interrupted. Finished
+// batches are kept, and the same command continues.
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -60,7 +60,7 @@ struct Job {
   FilmDescription::Crop window;
   fs::path program, folder;
   fs::path cached() const { return folder / "reference.exr"; }
-  /// What the batches say, where it is in the film.
+  /// The batches' mean and variance, in their place in the film.
   Rendering rendering(const BatchMeans& means) const {
     Rendering mean = means.rendering();
     if (scene.sensor.film.crop) mean.place = {window.x, window.y, width, height};
@@ -83,7 +83,7 @@ Job job_of(const ReferenceArguments& arguments) {
           cached_reference_folder(hash, width, height)};
 }
 
-/// What `render` has against the integrator for this scene; empty when nothing.
+/// The reason why `render` refuses the integrator for this scene; empty if it does not.
 /// Also why it would lack light, where `whole` light is asked for.
 std::string refusal_of(const Job& job, const std::string& integrator, bool whole) {
   std::vector<std::string> argv{job.program.string(), "render", "--integrator", integrator, "--plan", "--json"};
@@ -261,8 +261,8 @@ int write_out(const Job& job, const fs::path& kept, const Rendering& rendering, 
   return 1;
 }
 
-/// Of one estimator the longer run counts, whatever it thinks of its error: to choose the smaller estimate would be to
-/// choose what has not met its rare bright samples yet.
+/// Two runs of one estimator: the longer one is better, whatever its estimate of its error. The smaller estimate may
+/// belong to a run that has not met its rare bright samples yet.
 bool is_better(const Provenance& cached, const Provenance& fresh, double standard_error) {
   if (cached.estimator == fresh.estimator) return cached.samples >= fresh.samples;
   return cached.standard_error <= standard_error;
@@ -276,7 +276,7 @@ int unfinished(const ReferenceProgress& progress) {
   return interrupted ? 130 : 1;
 }
 
-/// What would be refused after minutes of rendering is refused now.
+/// Refuses now what would else be refused after minutes of rendering.
 void check_before_rendering(const Job& job) {
   const ReferenceArguments& arguments = job.arguments;
   const fs::path committed = committed_reference_path(arguments.scene.path, job.width, job.height);

@@ -141,7 +141,7 @@ TEST_F(ReferenceVerb, reference_of_a_scene_with_a_crop_is_that_part_of_the_film)
   const Provenance stated = parse_provenance(get("out.json"), "out.json");
   EXPECT_EQ(stated.width, r.place->width);
   EXPECT_EQ(stated.standard_error, relative_standard_error(r));
-  // Who reads it for comparison gets the part that is rendered, in its place.
+  // Reading it for comparison gives the part that is rendered, in its place.
   const Rendering read = load_reference(folder_ / "scene.xml", stated.width, stated.height).rendering;
   EXPECT_EQ(read.mean.rgb, r.mean.rgb);
   EXPECT_EQ(read.place, r.place);
@@ -152,8 +152,8 @@ TEST_F(ReferenceVerb, reference_of_a_scene_with_a_crop_is_that_part_of_the_film)
 
 TEST_F(ReferenceVerb, standard_error_that_it_states_is_the_error_it_has) {
   // In the furnace every pixel is 2, so the relative error of 4096 pixels (grey: three channels are one) is known. Its
-  // mean square over the stated one is 1, with a deviation of sqrt((2 + 2/31) / 4096) = 2.2 % from the pixels' errors
-  // and from their variances out of 32 batches; 4 deviations of the square are 4.5 % of the root.
+  // mean square over the stated one is 1. Its deviation is sqrt((2 + 2/31) / 4096) = 2.2 %. The 2 stands for the
+  // pixels' errors, 2/31 for their variances out of 32 batches. 4 deviations of the square are 4.5 % of the root.
   copy_scene("furnace");
   const ProcessOutcome outcome = reference({"--size", "64x64", "--standard-error", "0.01", "-o", path("out.exr")});
   ASSERT_TRUE(outcome.ok()) << outcome.standard_error;
@@ -165,8 +165,8 @@ TEST_F(ReferenceVerb, standard_error_that_it_states_is_the_error_it_has) {
   EXPECT_LE(relative_standard_error(r), 0.01);
 }
 
-// Of a progressive photon mapper both parts of the error are stated, and the truth is within three times of both. A
-// bias that is not looked for, or one that is given where there is none, would be seen.
+// A progressive photon mapper states both parts of its error, and the truth is within three times of both. The test
+// detects a bias that is not estimated, or one that is stated where there is none.
 TEST_F(ReferenceVerb, of_the_photon_mapper_states_its_bias_beside_its_standard_error) {
   const ProcessOutcome made = reference(
       {"--size", "24x24", "--standard-error", "0.03", "--integrator", "photonmapper", "-o", path("photons.exr")});

@@ -31,7 +31,7 @@ class ReportVerb : public testing::Test {
 
   static const char* test_name() { return testing::UnitTest::GetInstance()->current_test_info()->name(); }
 
-  /// What the verb prints; throws as it does.
+  /// The verb's output; throws as the verb does.
   std::string run(std::vector<std::string> arguments) {
     CLI::App program;
     int exit_code = -1;

@@ -21,8 +21,8 @@ void add_report_verb(CLI::App& program, int& exit_code);
 void add_verify_verb(CLI::App& program, int& exit_code);
 void add_decode_image_verb(CLI::App& program, int& exit_code);
 
-/// Parses the arguments and runs the verb. Returns the process's exit code: what the verb's callback left in
-/// `exit_code`; 2 for bad input, bad usage or too little memory; 70 for a defect of ours. Errors go to standard error.
+/// Parses the arguments and runs the verb. Returns the process's exit code: the `exit_code` that the verb's callback
+/// left, 2 for bad input, bad usage or too little memory, 70 for an internal error. Errors go to standard error.
 int run_program(CLI::App& program, int argc, char** argv, const int& exit_code);
 
 }  // namespace photonproof::inline harness_verbs

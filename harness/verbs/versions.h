@@ -1,4 +1,4 @@
-// What this program was built with, for the record of a run.
+// Versions of the libraries that this program was built with, for the record of a run.
 #pragma once
 
 #include <map>

@@ -42,7 +42,7 @@ struct Provenance {
   std::string pixels;  ///< checksum of the stored mean and variance
   std::map<std::string, std::string> versions;
   std::string host;
-  std::string date;                       ///< UTC, ISO 8601
+  std::string date;                     ///< UTC, ISO 8601
   std::vector<Acceptance> acceptances;  ///< oldest first
   friend bool operator==(const Provenance&, const Provenance&) = default;
 };

@@ -110,7 +110,8 @@ inline void add_spheres(std::vector<SurfaceLight>& all, const Vec3d& at, double 
   const Vec3d up = random_unit(r);
   const auto seen_inward = [=](const Vec3d& p) -> Seen {
     if (length(p - center) < radius) return {{sphere_from_within(center, radius, p)}, 1, true, 6};
-    // Share of the area: the part whose emitting side p sees lies beyond the horizon, z = R / distance on the axis to p.
+    // Share of the area: the part whose emitting side p sees lies beyond the horizon, z = R / distance on the axis to
+    // p.
     const double horizon = radius / length(p - center);
     return {{sphere_zone(center, radius, -1, normalize(p - center), -1, horizon)}, (horizon + 1) / 2};
   };

@@ -44,7 +44,7 @@ class WholeProgram : public testing::Test {
       for (CLI::App* sub : verb->get_subcommands({})) all.push_back(sub);
     return all;
   }
-  /// What is printed about the arguments; empty where they are right.
+  /// The message about the arguments; empty where they are right.
   std::string complaint(std::vector<std::string> arguments) {
     std::ranges::reverse(arguments);  // CLI11 takes them from the back
     try {

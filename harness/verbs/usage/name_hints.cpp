@@ -36,7 +36,7 @@ std::vector<std::string> options_of(const CLI::App& app) {
   return names;
 }
 
-/// What an app did not expect: an option, or the name of a subcommand. Empty where it is neither.
+/// The option or the name of a subcommand that an app did not expect. Empty where it is neither.
 std::string unknown_name(const CLI::App& app, const std::string& command) {
   for (const std::string& word : app.remaining()) {
     const bool is_option = word.size() > 1 && word.starts_with('-') && word != "--";
