@@ -117,10 +117,9 @@ class PathSteps : public BatchQueues<PathState, TransportMode::radiance, F> {
   bool takes_light_samples() const { return scene_.light_count > 0 && photonproof::takes_light_samples(light_from_); }
   /// Adds direct light at a Lambertian vertex. `goes_on`: the path's next ray may meet the same light.
   template <class Record>
-  [[gnu::noinline, gnu::flatten]] void add_direct_light_at_lambertian(AtSurface<PathState, F>& at,
-                                                                      const ScatteringBsdf<Record, F>& bsdf,
-                                                                      const Vec3<F>& wo_local, bool goes_on,
-                                                                      const Mask<F>& active) {
+  [[gnu::flatten]] void add_direct_light_at_lambertian(AtSurface<PathState, F>& at,
+                                                       const ScatteringBsdf<Record, F>& bsdf, const Vec3<F>& wo_local,
+                                                       bool goes_on, const Mask<F>& active) {
     add_direct_light(at, bsdf, bsdf.at.frame, wo_local, dimension_at(at.path_state), goes_on, active);
   }
 
