@@ -3,9 +3,9 @@
 
   four_renderers.py PROGRAM     PROGRAM: photonproof; POV-Ray is on the PATH
 
-PYTHON has the packages mitsuba, numpy and pillow (harness/oracles/nightly.sh makes such an environment). Each renderer has
-two threads. Mitsuba's path tracer takes as many samples as fit into the time. The error is relmse_trimmed of the picture
-against two minutes of bidirectional paths.
+PYTHON has the packages mitsuba, numpy and pillow (harness/oracles/nightly.sh makes such an environment). POV-Ray's
+photons need one thread, the others have two. Mitsuba's path tracer takes as many samples as fit into the time. The
+error is relmse_trimmed of the picture against a minute of bidirectional paths.
 """
 import json
 import os
@@ -37,7 +37,7 @@ def by_photonproof(program, image, *options):
 
 
 def by_povray(program, image):
-    return run(program, "povray", scene, "-o", image, "--size", f"{side}x{side}", "--quality", 1, "--threads", threads)
+    return run(program, "povray", scene, "-o", image, "--size", f"{side}x{side}", "--quality", "draft")
 
 
 def by_mitsuba(image):
@@ -60,8 +60,9 @@ def by_mitsuba(image):
 
 
 def pixels(image):
-    linear = numpy.array(mitsuba.Bitmap(str(image)).convert(mitsuba.Bitmap.PixelFormat.RGB,
-                                                            mitsuba.Struct.Type.Float32, False))
+    bitmap = mitsuba.Bitmap(str(image))
+    names = [field.name for field in bitmap.struct_()]
+    linear = numpy.array(bitmap)[:, :, [names.index(channel) for channel in "RGB"]]
     encoded = numpy.clip(linear, 0, 1)
     encoded = numpy.where(encoded <= 0.0031308, 12.92 * encoded, 1.055 * encoded ** (1 / 2.4) - 0.055)
     return Image.fromarray((255 * encoded + 0.5).astype(numpy.uint8))
@@ -76,7 +77,7 @@ def error(program, reference, image):
 def rows_of(program, folder):
     """(name, seconds, error, file) of each renderer."""
     reference = folder / "reference.exr"
-    by_photonproof(program, reference, "--integrator", "bdpt", "--seconds", 120, "--seed", 7)
+    by_photonproof(program, reference, "--integrator", "bdpt", "--seconds", 60, "--seed", 7)
     rows = []
     for name, render in (
             ("photonproof, photon mapper", lambda f: by_photonproof(program, f, "--integrator", "photonmapper", "--seconds", seconds)),

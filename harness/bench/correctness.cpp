@@ -9,12 +9,13 @@
 #include "harness/gates/gate_look.h"
 #include "harness/gates/independence.h"
 #include "harness/pixels/repeated_images.h"
+#include "scenes/base/percent_text.h"
 
 namespace photonproof::inline harness_bench {
 namespace {
 
 /// "+0.8 % overall", for the worst channel.
-std::string overall(double relative) { return fmt::format("{:+.2g} % overall", 100 * relative); }
+std::string overall(double relative) { return signed_percent_text(relative) + " overall"; }
 
 CorrectnessRecord unknown(std::string why) {
   CorrectnessRecord record;

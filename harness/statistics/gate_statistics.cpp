@@ -376,8 +376,9 @@ Judgement judge_bias(const Deviations& d, bool block, double bound, double alpha
         block && !judgement.tiles.empty() ? places_text(judgement.tiles) + "; " + limit : interval + ", " + limit;
   } else if (furthest->reach() <= bound) {
     judgement.verdict = GateVerdict::pass;
-    judgement.sentence = block ? fmt::format("no block is off by more than {:.2g} %, ", 100 * furthest->reach()) + limit
-                               : interval + ", " + limit;
+    judgement.sentence = block
+                             ? fmt::format("no block is off by more than {}, ", percent_text(furthest->reach())) + limit
+                             : interval + ", " + limit;
   } else {
     judgement.sentence = "too noisy to tell: " + interval + ", " + limit;
   }

@@ -10,6 +10,7 @@
 #include "harness/cells/cells.h"
 #include "reference/store/reference_store.h"
 #include "scenes/base/input_error.h"
+#include "scenes/base/percent_text.h"
 #include "scenes/description/overloaded.h"
 #include "scenes/files/atomic_file.h"
 #include "scenes/parser/parser.h"
@@ -77,7 +78,7 @@ VerifyProbe judged(const Probe& probe, const VerifyEngine& engine, const EngineP
     out.verdict = "wrong";
   out.sentence = fmt::format("{}: {} {:.3g}x closed form", probe.what, engine.row.title, fit.gain);
   if (fit.has_offset && beyond(fit.offset, fit.offset_error))
-    out.sentence += fmt::format(" {:+.2g} % of its mean", 100 * fit.offset);
+    out.sentence += " " + signed_percent_text(fit.offset) + " of its mean";
   return out;
 }
 

@@ -7,6 +7,7 @@
 
 #include "harness/pixels/image_blocks.h"
 #include "harness/verify/picture_pair.h"
+#include "scenes/base/percent_text.h"
 
 namespace photonproof::inline harness_verify {
 namespace {
@@ -65,7 +66,7 @@ ReferenceState state_of_reference(const EnginePicture& reference, const EnginePi
   constexpr double usual_noise = 1.5, most = 0.9;
   state.is_stale = noise < usual_noise && (brighter + darker == 0 || one_side >= most);
   const std::string differs = expected != 0
-                                  ? fmt::format("differs by {:+.2g} % from the engines' mean", 100 * shift / expected)
+                                  ? "differs by " + signed_percent_text(shift / expected) + " from the engines' mean"
                                   : "differs from the engines' black image";
   state.sentence =
       state.is_stale ? fmt::format(

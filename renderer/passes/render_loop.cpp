@@ -7,6 +7,7 @@
 #include <cstring>
 
 #include "scenes/base/input_error.h"
+#include "scenes/base/percent_text.h"
 
 namespace photonproof::inline renderer_passes {
 namespace {
@@ -93,8 +94,8 @@ void RenderLoop::say_if_dim() {
   std::snprintf(
       text, sizeof text,
       "--target-error %.3g is relative to radiances^2 + %.3g, and radiances are about %.2g here: of themselves "
-      "pixels err by %.2g %%",
-      *target, Film::relative_epsilon, std::sqrt(square), 100 * of_itself);
+      "pixels err by %s",
+      *target, Film::relative_epsilon, std::sqrt(square), percent_text(of_itself).c_str());
   stats_.losses.emplace_back(text);
 }
 
@@ -109,8 +110,8 @@ void RenderLoop::say_what_lasts() {
                   "fall with more samples",
                   *target, *error_, std::sqrt(squared), plan_.lasting_bias_of().c_str());
   else
-    std::snprintf(text, sizeof text, "%s some %.2g %% of the image wrong, which does not fall with more samples",
-                  plan_.lasting_bias_of().c_str(), 100 * std::sqrt(squared));
+    std::snprintf(text, sizeof text, "%s some %s of the image wrong, which does not fall with more samples",
+                  plan_.lasting_bias_of().c_str(), percent_text(std::sqrt(squared)).c_str());
   stats_.losses.emplace_back(text);
 }
 

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scenes/base/percent_text.h"
+
 namespace photonproof::inline reports_verify {
 namespace {
 
@@ -30,7 +32,7 @@ const VerifyPair* pair_between(const VerifyScene& scene, const std::string& a, c
 
 std::string error_words(const std::optional<double>& error) {
   if (!error) return "–";
-  return std::isfinite(*error) ? fmt::format("{:.2g} %", 100 * *error) : "all";
+  return std::isfinite(*error) ? percent_text(*error) : "all";
 }
 
 int exit_code_of(const VerifyRecord& record) {

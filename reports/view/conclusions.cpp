@@ -81,8 +81,8 @@ PlainTable gates_table(const std::vector<const GateRecord*>& gates) {
   for (const GateRecord* gate : gates) {
     table.rows.push_back({to_string(gate->verdict), gate->name, gate->engine, gate->metric,
                           estimate_text(gate->observed), or_dash(gate->bound, [](double v) { return significant(v); }),
-                          grouped(static_cast<double>(gate->samples)), std::to_string(gate->looks),
-                          significant(gate->alpha, 2), significant(gate->seconds)});
+                          gate->samples > 0 ? grouped(static_cast<double>(gate->samples)) : undefined_number,
+                          std::to_string(gate->looks), significant(gate->alpha, 2), significant(gate->seconds)});
   }
   return table;
 }

@@ -7,6 +7,8 @@
 #include <limits>
 #include <random>
 
+#include "scenes/base/percent_text.h"
+
 namespace photonproof::inline scenes_base {
 namespace {
 
@@ -67,6 +69,18 @@ TEST(in_quotes, is_short_and_printable) {
   // 59 letters and a two-byte one: the cut at 60 bytes drops the half of it that would be left.
   EXPECT_EQ(in_quotes(std::string(59, 'x') + "\xC3\xBC and more"), "'" + std::string(59, 'x') + "...'");
   EXPECT_EQ(in_quotes(std::string(58, 'x') + "\xC3\xBC and more"), "'" + std::string(58, 'x') + "\xC3\xBC...'");
+}
+
+TEST(PercentText, has_two_digits_and_no_exponent_from_100_percent_on) {
+  EXPECT_EQ(percent_text(0.0123), "1.2 %");
+  EXPECT_EQ(percent_text(0.9949), "99 %");
+  EXPECT_EQ(percent_text(0.996), "100 %");
+  EXPECT_EQ(percent_text(1.349), "130 %");
+  EXPECT_EQ(percent_text(137.2), "14000 %");
+  EXPECT_EQ(percent_text(2e-7), "2e-05 %");
+  EXPECT_EQ(percent_text(0), "0 %");
+  EXPECT_EQ(signed_percent_text(-6.72), "-670 %");
+  EXPECT_EQ(signed_percent_text(0.05), "+5 %");
 }
 
 }  // namespace
