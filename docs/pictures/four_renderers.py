@@ -115,9 +115,9 @@ def main(program):
     record = {"scene": "caustic-glass", "size": side, "threads": threads, "processor": processor(),
               "date": time.strftime("%Y-%m-%d"), "rows": rows}
     (here / "four-renderers.json").write_text(json.dumps(record, indent=2) + "\n")
-    figures = ", ".join(f"{row['relmse_trimmed']:.2g}" for row in rows)
-    sentence = (f"*`caustic-glass`, {side}×{side}, {threads} threads of an {processor().split(' Processor')[0]}. relMSE without the worst "
-                f"0.1 % of pixels: {figures}.*")
+    figures = ", ".join(f"{row['relmse_trimmed']:.2g} {row['renderer'].removeprefix('photonproof, ')}" for row in rows)
+    sentence = (f"*`caustic-glass`, {side}×{side}, {threads} threads of an {processor().split(' Processor')[0]}. relMSE "
+                f"without the worst 0.1 % of pixels: {figures}.*")
     page = root / "README.md"
     page.write_text(re.sub(r"^\*(The scene )?`caustic-glass`.*\*$", lambda _: sentence, page.read_text(), count=1, flags=re.MULTILINE))
 
