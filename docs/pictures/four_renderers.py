@@ -116,7 +116,7 @@ def main(program):
               "date": time.strftime("%Y-%m-%d"), "rows": rows}
     (here / "four-renderers.json").write_text(json.dumps(record, indent=2) + "\n")
     figures = ", ".join(f"{row['relmse_trimmed']:.2g} {row['renderer'].removeprefix('photonproof, ')}" for row in rows)
-    sentence = (f"*`caustic-glass`, {side}×{side}, {threads} threads of an {processor().split(' Processor')[0]}. relMSE "
+    sentence = (f"*`caustic-glass`, {side}×{side}, {threads} threads of an {processor().split(' Processor')[0]}. The relMSE "
                 f"without the worst 0.1 % of pixels: {figures}.*")
     page = root / "README.md"
     page.write_text(re.sub(r"^\*(The scene )?`caustic-glass`.*\*$", lambda _: sentence, page.read_text(), count=1, flags=re.MULTILINE))
