@@ -17,6 +17,8 @@ import sys
 import tempfile
 from pathlib import Path
 
+from source_tags import tell
+
 skipped = 77
 number = r"[-+−±]?(?:\d+(?:[.,]\d+)*|\.\d+)(?:e[-+]?\d+)?"
 end_of_command = "<end of a command>"
@@ -121,8 +123,7 @@ def main(program, root, page):
     for command, printed in zip(commands, outputs_of(commands, program, root)):
         if not matches(command.output, printed):
             problems.append(f"{page}:{command.line}: `{command.text}` prints something else:\n" + "\n".join(printed[:60]))
-    print("\n".join(problems) or f"{page}: {len(commands)} commands print what the page has")
-    return 1 if problems else 0
+    return tell(problems, f"{page}: {len(commands)} commands print what the page has")
 
 
 if __name__ == "__main__":

@@ -9,6 +9,8 @@ import re
 import sys
 from pathlib import Path
 
+from source_tags import tell
+
 link = re.compile(r"!?\[[^\]]*\]\(([^()\s]+)(?:\s+\"[^\"]*\")?\)")
 
 
@@ -59,8 +61,7 @@ def problems_of(root):
 
 def main(root):
     problems, pages = problems_of(root)
-    print("\n".join(problems) or f"links of {pages} pages")
-    return 1 if problems else 0
+    return tell(problems, f"links of {pages} pages")
 
 
 if __name__ == "__main__":

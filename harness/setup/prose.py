@@ -11,6 +11,8 @@ import re
 import sys
 from pathlib import Path
 
+from source_tags import tell
+
 most_words = 30
 most_mean_words = 16
 headless = re.compile(r"(Of|What|Whose|Whom|None|Nobody|Who|By(?! [A-Z])|But for|All but|Such|Neither)\b")
@@ -126,8 +128,7 @@ def main(arguments):
         count += found
         if not whole:
             print(f"{name}: {found} sentences, {mean:.1f} words a sentence, {len(wrong)} to change")
-    print("\n".join(problems) or f"{count} sentences")
-    return 1 if problems else 0
+    return tell(problems, f"{count} sentences")
 
 
 if __name__ == "__main__":

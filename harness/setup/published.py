@@ -15,6 +15,8 @@ import re
 import sys
 from pathlib import Path
 
+from source_tags import tell
+
 folder = "reports/published"
 left_out = re.compile(r"_(test|bench|fuzz)\.(cpp|h)$|/test_[^/]*$")
 
@@ -23,7 +25,7 @@ def code(path):
     """The text without comments and white space."""
     text = path.read_text(errors="replace")
     start = r"//" if path.suffix in (".h", ".cpp", ".js") else r"#"
-    return re.sub(r"\s+", "", re.sub(rf"(?m)(^|\s){start}(?!include|define|if|e|pragma).*$", "", text))
+    return re.sub(r"\s+", "", re.sub(rf"(?m)(^|\s){start}.*$", "", text))
 
 
 def hash_of(root, patterns):
@@ -60,18 +62,16 @@ def check(root):
     listed = {p.name for p in (root / folder).iterdir() if p.suffix in (".md", ".tex", ".txt")} - {"README.md"}
     found += [(table, "sources.json does not say what it is made from") for table in sorted(listed - rows.keys())]
     problems = [f"{folder}/{table}: {problem}" for table, problem in found if problem]
-    print("\n".join(problems) or f"{len(rows)} tables are as new as their sources")
-    return 1 if problems else 0
+    return tell(problems, f"{len(rows)} tables are as new as their sources")
 
 
 def record(root, table, verb, reason):
     rows = manifest_of(root)
-    row = {k: v for k, v in rows[table].items() if k == "sources" or (k == "date" and verb != "made")}
-    row.setdefault("date", datetime.date.today().isoformat())
-    row["hash"] = hash_of(root, row["sources"])
+    sources = rows[table]["sources"]
+    date = datetime.date.today().isoformat() if verb == "made" else rows[table]["date"]
+    rows[table] = {"sources": sources, "date": date, "hash": hash_of(root, sources)}
     if verb != "made":
-        row[verb] = reason
-    rows[table] = row
+        rows[table][verb] = reason
     (root / folder / "sources.json").write_text(json.dumps(rows, indent=1) + "\n")
     return 0
 

@@ -13,8 +13,8 @@ namespace photonproof::inline renderer_limits {
 struct GrazingLight {
   std::size_t light = 0;       ///< Index into SceneParts::lights.
   bool from_one_side = false;  ///< A beam, or a light so far away that it is one.
-  double height =
-      0;  ///< Height of a light above the surface, in the description's lengths; the sine of a beam's angle.
+  /// Height of a light above the surface, in the description's lengths; the sine of a beam's angle.
+  double height = 0;
   double rounding = 0;  ///< Error of that, either way, by single precision.
   double loss() const { return rounding > 0 ? rounding / height : 0; }
 };

@@ -3,7 +3,7 @@
 #   make_submissions.sh FOLDER [NAME...]     FOLDER/NAME of all, or of those named; what was there of these is replaced
 #   make_submissions.sh --defects FOLDER [NAME...]     the same of defects/, which are honest with one mistake each
 #
-# handout is the handed-out program; honest is that with honest.patch; wrong-* and cheat-* are honest with their own
+# handout is the handed-out program, and honest is that with honest.patch. wrong-* and cheat-* are honest with their own
 # patch. fast is its own files and those that it has kept. The files are the same every time, except the pictures in
 # cheat-hard-coded-image, which fast renders here.
 set -euo pipefail
