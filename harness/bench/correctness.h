@@ -26,9 +26,9 @@ std::string doubt_of(const Engine& engine);
 
 /// The reference and the expectations that a budget's images are compared with.
 struct Judge {
-  const StoredReference* reference =
-      nullptr;        ///< null: there is none. It may lack a variance, and then the verdict is unknown
-  std::string doubt;  ///< as SceneRecord::reference_doubt
+  /// Null: there is none. It may lack a variance, and then the verdict is unknown.
+  const StoredReference* reference = nullptr;
+  std::string doubt;                              ///< as SceneRecord::reference_doubt
   const std::optional<Expect>* expect = nullptr;  ///< of the scene, for independence.h
 };
 

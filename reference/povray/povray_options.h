@@ -14,8 +14,8 @@ struct PovrayOptions {
   int grid = 0;     ///< Sub-pixels across a pixel, whose mean it is. Zero: POV-Ray refines where it sees an edge.
   int quality = 1;  ///< Presets: 1 seconds, 2 tens of seconds, 3 for comparisons that claim agreement, 4 paths.
   bool lights_apart = false;  ///< Renders visible lights that are thin in the image separately, and adds them.
-  std::uint64_t seed =
-      1;  ///< Seeds the places of light samples and the ends of paths; POV-Ray's own sample directions are fixed.
+  /// Seeds the places of light samples and the ends of paths; POV-Ray's own sample directions are fixed.
+  std::uint64_t seed = 1;
   std::string stem = "scene";  ///< Prefix of the images that the text reads from its folder.
 };
 
