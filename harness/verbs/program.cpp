@@ -36,7 +36,7 @@ int run_program(CLI::App& program, int argc, char** argv, const int& exit_code) 
     return 2;
   } catch (const InputError& error) {
     const bool terminal = isatty(STDERR_FILENO) != 0;
-    std::fprintf(stderr, "%s\n", terminal ? error.what() : error.summary().c_str());
+    std::fprintf(stderr, "%s\n", terminal ? error.what() : error.report().c_str());
     return 2;
   } catch (const std::bad_alloc&) {
     std::fprintf(stderr, "photonproof: out of memory: make the image, the meshes or the number of photons smaller\n");

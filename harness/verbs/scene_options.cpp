@@ -36,6 +36,10 @@ void add_scene_options(CLI::App& verb, SceneOptions& options) {
                   "size of the whole film (default: the scene's); a crop in the scene keeps its share")
       ->type_name("WxH");
   verb.add_flag("--allow-outside", options.allow_outside, "let the scene name files outside its folder");
+  verb.add_option("--sensor", options.sensor, "which of the scene's cameras, counted from 0 (default: 0)")
+      ->type_name("N")
+      ->check(CLI::NonNegativeNumber);
+  verb.add_flag("--lenient", options.lenient, "leave out what cannot be read, with a warning for each");
 }
 
 std::string is_seed(const std::string& text) {
@@ -68,12 +72,16 @@ std::vector<std::string> scene_arguments(const SceneOptions& options) {
   std::vector<std::string> words{options.path};
   for (const std::string& define : options.defines) words.insert(words.end(), {"-D", define});
   if (options.allow_outside) words.emplace_back("--allow-outside");
+  if (options.lenient) words.emplace_back("--lenient");
+  if (options.sensor != 0) words.insert(words.end(), {"--sensor", std::to_string(options.sensor)});
   return words;
 }
 
 SceneDescription load_scene(const SceneOptions& options) {
   ParseOptions parse;
   parse.allow_outside = options.allow_outside;
+  parse.lenient = options.lenient;
+  parse.sensor = options.sensor;
   for (const std::string& define : options.defines) {
     const std::size_t equals = define.find('=');
     if (equals == std::string::npos || equals == 0)

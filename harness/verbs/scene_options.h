@@ -19,9 +19,11 @@ struct SceneOptions {
   std::vector<std::string> defines;  ///< "name=value"
   std::string size;                  ///< "WxH", empty: the scene's
   bool allow_outside = false;
+  bool lenient = false;
+  int sensor = 0;
 };
 
-/// SCENE, -D, --size, --allow-outside.
+/// SCENE, -D, --size, --sensor, --allow-outside, --lenient.
 void add_scene_options(CLI::App& verb, SceneOptions& options);
 
 /// "WxH" to a film size; throws InputError on anything else.
@@ -36,7 +38,7 @@ std::string is_finite_number(const std::string& text);
 /// to `most`, which are below 2^53.
 std::function<std::string(std::string)> whole_number(std::int64_t least, std::int64_t most);
 
-/// SCENE, -D and --allow-outside as they were given, for another process of this program; --size is not among them.
+/// All but --size as they were given, for another process of this program.
 std::vector<std::string> scene_arguments(const SceneOptions& options);
 
 /// Parses the scene; its film has the size asked for. Throws InputError.

@@ -117,6 +117,7 @@ void add_light_notes(const SceneDescription& description, const SceneParts& scen
 
 std::vector<SceneNote> scene_notes(const SceneDescription& description, const SceneParts& scene) {
   Notes notes(description);
+  notes.made = description.notes;
   for (const BsdfDescription& bsdf : description.bsdfs) std::visit(BsdfNotes{notes, bsdf.loc}, bsdf.model);
   add_mesh_notes(description, notes);
   add_light_notes(description, scene, notes);

@@ -2,20 +2,15 @@
 // triangles without area.
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "renderer/scene/scene_parts.h"
+#include "scenes/description/scene_note.h"
 
 namespace photonproof::inline renderer_limits {
 
-struct SceneNote {
-  std::string where;  ///< file:line:col
-  std::string text;   ///< a sentence without its full stop
-};
-
-/// In the order of the description: BSDFs, shapes, emitters; then what is too near or far for precision. `scene` is
-/// compiled from it.
+/// First the description's own notes. Then BSDFs, shapes and emitters in its order, and last what is too near or far for
+/// precision. `scene` is compiled from it.
 std::vector<SceneNote> scene_notes(const SceneDescription& description, const SceneParts& scene);
 
 }  // namespace photonproof::inline renderer_limits

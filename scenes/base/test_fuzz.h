@@ -47,11 +47,13 @@ class FuzzFolder {
   std::filesystem::path path_;
 };
 
-/// Empty when the message is valid UTF-8, its summary one line and its beginning; else the problem.
+/// Empty when the message is valid UTF-8, begins as its report does, and has a summary of one line; else the problem.
 inline std::string problem_with_message(const InputError& error) {
   const std::string what = error.what();
   if (find_invalid_utf8(what) != std::string::npos) return "a message is not valid UTF-8";
-  if (error.summary().empty() || what.rfind(error.summary(), 0) != 0) return "a message without its summary: " + what;
+  const auto first_line = [](const std::string& text) { return text.substr(0, text.find('\n')); };
+  if (error.summary().empty() || first_line(what) != first_line(error.report()))
+    return "a message without its report: " + what;
   return error.summary().find('\n') != std::string::npos ? "a summary of several lines: " + error.summary() : "";
 }
 

@@ -13,6 +13,7 @@
 #include "scenes/description/integrator_description.h"
 #include "scenes/description/light_description.h"
 #include "scenes/description/medium_description.h"
+#include "scenes/description/scene_note.h"
 #include "scenes/description/shape_description.h"
 #include "scenes/description/texture_description.h"
 #include "scenes/description/view_description.h"
@@ -21,7 +22,7 @@ namespace photonproof::inline scenes_description {
 
 struct SceneDescription {
   std::vector<std::string> files;    ///< files read, the scene itself first
-  std::vector<std::string> defines;  ///< values given to its $names, "name=value"
+  std::vector<std::string> defines;  ///< values given to its $names, "name=value", and the sensor other than the first
   std::vector<TextureDescription> textures;
   std::vector<BsdfDescription> bsdfs;
   std::vector<MediumDescription> media;
@@ -30,6 +31,7 @@ struct SceneDescription {
   std::vector<EmitterDescription> emitters;
   SensorDescription sensor;
   IntegratorDescription integrator;
+  std::vector<SceneNote> notes;  ///< differences from the file: stand-ins, and what ParseOptions::lenient left out
 
   /// "file:line:col" of an entity, for messages of later stages.
   std::string where(const SourceLoc& loc) const;

@@ -118,23 +118,29 @@ void describe(P& p, PlaneDescription&) {
 struct MeshDescription {
   static constexpr bool finite = true;
   static constexpr int surfaces = 1;
-  enum class Format { ply, obj };
+  enum class Format { ply, obj, serialized };
   Format format = Format::ply;
   std::string filename;  ///< as the scene spells it
   bool face_normals = false;
   bool flip_tex_coords = false;              ///< v becomes 1 - v. OBJ files default to true, PLY files to false.
   std::shared_ptr<const TriangleMesh> mesh;  ///< Never null; shared by the shapes that name the same file.
+  int shape_index = 0;                       ///< which mesh of a serialized file
   friend bool operator==(const MeshDescription& a, const MeshDescription& b) {
-    return a.format == b.format && a.filename == b.filename && a.face_normals == b.face_normals &&
+    return a.format == b.format && a.filename == b.filename && a.shape_index == b.shape_index && a.face_normals == b.face_normals &&
            a.flip_tex_coords == b.flip_tex_coords && (a.mesh == b.mesh || (a.mesh && b.mesh && *a.mesh == *b.mesh));
   }
 };
 
 template <class P>
 void describe(P& p, MeshDescription& d) {
-  const bool is_ply = d.format == MeshDescription::Format::ply;
-  p.plugin(is_ply ? "ply" : "obj", "triangles of a file");
-  p.file("filename", d.filename, is_ply ? "the name of a PLY file" : "the name of an OBJ file");
+  constexpr const char* names[] = {"ply", "obj", "serialized"};  // in the order of Format
+  constexpr const char* files[] = {"the name of a PLY file", "the name of an OBJ file",
+                                   "the name of a file of Mitsuba 0.6"};
+  const auto format = static_cast<std::size_t>(d.format);
+  p.plugin(names[format], "triangles of a file");
+  p.file("filename", d.filename, files[format]);
+  if (d.format == MeshDescription::Format::serialized)
+    p.integer("shape_index", d.shape_index, 0, 1 << 30, "which mesh of the file");
   p.boolean("face_normals", d.face_normals, "shades flat, without normals of vertices");
   p.boolean("flip_tex_coords", d.flip_tex_coords, "v becomes 1 - v");
   describe_placed_shape(p);

@@ -8,6 +8,7 @@
 #include "scenes/base/edit_distance.h"
 #include "scenes/base/text_numbers.h"
 #include "scenes/base/utf8.h"
+#include "scenes/dialect/upgrade.h"
 #include "scenes/files/atomic_file.h"
 
 namespace photonproof::scene_xml {
@@ -49,8 +50,10 @@ class Expander {
     if (root.tag != "scene")
       sources_.fail(root.at, "the root element is <" + root.tag + ">, expected <scene version=\"3.0.0\">");
     for (Attribute& attribute : root.attributes) substitute(attribute);
-    check_attributes(sources_, root, {"version"});
-    check_version(require(sources_, root, "version"));
+    check_attributes(sources_, root, {"version", "id"});
+    const Attribute& version = require(sources_, root, "version");
+    check_version(version);
+    if (version.value[0] < '2') upgrade_names(root);
     return root;
   }
 
@@ -60,8 +63,8 @@ class Expander {
     const bool shaped = digits_and_dots && text.find("..") == std::string::npos && text.size() >= 3 &&
                         text.size() <= 20 && text[1] == '.' && text.back() != '.' &&
                         std::count(text.begin(), text.end(), '.') <= 2;
-    if (!shaped || (text[0] != '2' && text[0] != '3'))
-      fail_at(sources_, version, "version " + in_quotes(text) + " is not supported, expected 2.x or 3.x");
+    if (!shaped || text[0] > '3')
+      fail_at(sources_, version, "version " + in_quotes(text) + " is not supported, expected 0.x to 3.x");
   }
 
   void expand_children(Element& parent, int depth) {

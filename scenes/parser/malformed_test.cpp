@@ -48,8 +48,9 @@ std::string listed_in_format(const std::string& tag) {
 std::vector<std::string> expected_messages() {
   std::string text = read_file(kFolder + "messages.txt");
   for (const std::string tag : {"shape", "bsdf"}) {
-    const std::string placeholder = "{" + tag + "s}";
-    text.replace(text.find(placeholder), placeholder.size(), listed_in_format(tag));
+    const std::string placeholder = "{" + tag + "s}", listed = listed_in_format(tag);
+    for (auto at = text.find(placeholder); at != std::string::npos; at = text.find(placeholder, at))
+      text.replace(at, placeholder.size(), listed);
   }
   std::vector<std::string> messages;
   for (std::size_t begin = 0; begin < text.size();) {

@@ -7,6 +7,7 @@
 #include "scenes/base/text_numbers.h"
 #include "scenes/parser/scene_objects.h"
 #include "scenes/parser/spectrum_value.h"
+#include "scenes/parser/typed_spectrum.h"
 #include "scenes/parser/values.h"
 
 namespace photonproof::scene_xml {
@@ -60,12 +61,18 @@ bool is_parameter_tag(std::string_view tag) {
 Params::Params(SceneObjects& objects, const Element& object, std::string title, const std::vector<ParamSpec>& specs,
                const std::vector<NestedSpec>& nested)
     : objects_(objects), sources_(objects.sources()), object_(object), title_(std::move(title)) {
-  for (const Element& child : object.children) {
-    if (is_parameter_tag(child.tag))
-      add(child, specs);
-    else
-      add_nested(child, specs, nested);
-  }
+  for (const Element& child : object.children)
+    objects.obstacles().attempt([&] {
+      try {
+        if (is_parameter_tag(child.tag))
+          add(child, specs);
+        else
+          add_nested(child, specs, nested);
+      } catch (const InputError& error) {
+        if (const Attribute* name = child.find("name"); name && !given_twice(child)) refuse(name->value, error);
+        throw;
+      }
+    });
 }
 
 void Params::add(const Element& parameter, const std::vector<ParamSpec>& specs) {
@@ -92,6 +99,8 @@ void Params::add(const Element& parameter, const std::vector<ParamSpec>& specs) 
     check_attributes(sources_, parameter, {"name", "x", "y", "z", "value"});
   else if (spec->type == ParamType::transform)
     check_attributes(sources_, parameter, {"name"});
+  else if (parameter.tag == "spectrum" && parameter.find("type"))
+    return check_attributes(sources_, parameter, {"name", "type", "id"});  // its reader checks the rest
   else if (parameter.tag == "spectrum")
     check_attributes(sources_, parameter, {"name", "value", "filename"});
   else
@@ -132,12 +141,6 @@ const Element& Params::only_nested(const std::string& tag) {
   return *nested(tag).front();
 }
 
-const Element* Params::read(const std::string& name) {
-  read_.insert(name);
-  const auto found = given_.find(name);
-  return found == given_.end() ? nullptr : found->second;
-}
-
 std::string Params::tag(const std::string& name) const {
   const auto found = given_.find(name);
   return found == given_.end() ? "" : found->second->tag;
@@ -152,63 +155,99 @@ void Params::fail(const std::string& name, const std::string& message) const {
   fail_at(sources_, *value, text);
 }
 
+bool Params::given_twice(const Element& parameter) const {
+  const auto found = given_.find(require(sources_, parameter, "name").value);
+  return found != given_.end() && found->second != &parameter;
+}
+
+void Params::refuse(const std::string& name, const InputError& error) {
+  given_.erase(name);
+  refused_.emplace(name, error);
+}
+
+const Attribute& Params::value_of(const std::string& name) const {
+  if (const auto refused = refused_.find(name); refused != refused_.end()) throw refused->second;
+  return require(sources_, *given_.at(name), "value");
+}
+
+void Params::expect_given(const std::string& name, const std::string& what) const {
+  if (const auto refused = refused_.find(name); refused != refused_.end()) throw refused->second;
+  expect(has(name), name, "is missing, expected " + what);
+}
+
+template <class Value, class Read>
+Value Params::value_or(const std::string& name, Value fallback, Read read_element) {
+  read_.insert(name);
+  const auto found = given_.find(name);
+  if (found != given_.end()) objects_.obstacles().attempt([&] { fallback = read_element(*found->second); });
+  return fallback;
+}
+
 bool Params::boolean(const std::string& name, bool fallback) {
-  const Element* element = read(name);
-  if (!element) return fallback;
-  const std::string value = lower(require(sources_, *element, "value").value);
-  expect(value == "true" || value == "false", name, "is " + in_quotes(value) + ", expected true or false");
-  return value == "true";
+  return value_or(name, fallback, [&](const Element& element) {
+    const std::string value = lower(require(sources_, element, "value").value);
+    expect(value == "true" || value == "false", name, "is " + in_quotes(value) + ", expected true or false");
+    return value == "true";
+  });
 }
 
 std::int64_t Params::integer(const std::string& name, std::int64_t fallback, std::int64_t low, std::int64_t high) {
-  const Element* element = read(name);
-  if (!element) return fallback;
-  const auto parsed = parse_integer(require(sources_, *element, "value").value);
-  if (!parsed.value) fail(name, parsed.problem);
-  expect(*parsed.value >= low && *parsed.value <= high, name,
-         "is " + std::to_string(*parsed.value) + ", expected " + std::to_string(low) + " to " + std::to_string(high));
-  return *parsed.value;
+  return value_or(name, fallback, [&](const Element& element) {
+    const auto parsed = parse_integer(require(sources_, element, "value").value);
+    if (!parsed.value) fail(name, parsed.problem);
+    expect(*parsed.value >= low && *parsed.value <= high, name,
+           "is " + std::to_string(*parsed.value) + ", expected " + std::to_string(low) + " to " + std::to_string(high));
+    return *parsed.value;
+  });
+}
+
+double Params::checked_number(const std::string& name, double fallback,
+                              const std::function<void(double value)>& check) {
+  return value_or(name, fallback, [&](const Element& element) {
+    const auto parsed = parse_number(require(sources_, element, "value").value);
+    if (!parsed.value) fail(name, parsed.problem);
+    check(*parsed.value);
+    return *parsed.value;
+  });
 }
 
 double Params::number(const std::string& name, double fallback) {
-  const Element* element = read(name);
-  if (!element) return fallback;
-  const auto parsed = parse_number(require(sources_, *element, "value").value);
-  if (!parsed.value) fail(name, parsed.problem);
-  return *parsed.value;
+  return checked_number(name, fallback, [](double) {});
 }
 
 double Params::positive(const std::string& name, double fallback) {
-  const double value = number(name, fallback);
-  expect(static_cast<float>(value) > 0, name, "is " + format_number(value) + ", expected more than 0");
-  return value;
+  return checked_number(name, fallback, [&](double value) {
+    expect(static_cast<float>(value) > 0, name, "is " + format_number(value) + ", expected more than 0");
+  });
 }
 
 std::string Params::string(const std::string& name, const std::string& fallback) {
-  const Element* element = read(name);
-  return element ? require(sources_, *element, "value").value : fallback;
+  return value_or(name, fallback, [&](const Element& element) { return require(sources_, element, "value").value; });
 }
 
 double Params::number_in(const std::string& name, double fallback, double low, double high) {
-  const double value = number(name, fallback);
-  expect(value >= low && value <= high, name, "is " + format_number(value) + ", expected " + range(low, high));
-  return value;
+  return checked_number(name, fallback, [&](double value) {
+    expect(value >= low && value <= high, name, "is " + format_number(value) + ", expected " + range(low, high));
+  });
 }
 
 RgbD Params::colour(const std::string& name, const RgbD& fallback, double low, double high) {
-  const Element* element = read(name);
-  if (!element) return fallback;
-  RgbD colour;
-  if (element->tag == "spectrum")
-    colour = spectrum_of(objects_, *element,
-                         emissions_.count(name) ? SpectrumKind::emission : SpectrumKind::reflectance, high);
-  else if (element->tag == "rgb")
-    colour = rgb_of(sources_, require(sources_, *element, "value"));
-  else
-    colour = RgbD(number_of(sources_, require(sources_, *element, "value")));
-  for (const double c : {colour.x, colour.y, colour.z})
-    expect(c >= low && c <= high, name, "has the component " + format_number(c) + ", expected " + range(low, high));
-  return colour;
+  return value_or(name, fallback, [&](const Element& element) {
+    RgbD colour;
+    if (element.tag == "spectrum" && element.find("type"))
+      colour = typed_spectrum_of(objects_, element,
+                                 emissions_.count(name) ? SpectrumKind::emission : SpectrumKind::reflectance, high);
+    else if (element.tag == "spectrum")
+      colour = spectrum_of(objects_, element,
+                           emissions_.count(name) ? SpectrumKind::emission : SpectrumKind::reflectance, high);
+    else if (element.tag == "rgb")
+      colour = rgb_of(sources_, require(sources_, element, "value"));
+    else
+      colour = RgbD(number_of(sources_, require(sources_, element, "value")));
+    for (const double c : {colour.x, colour.y, colour.z})
+      expect(c >= low && c <= high, name, "has the component " + format_number(c) + ", expected " + range(low, high));
+    return colour;
+  });
 }
 
 bool Params::is_texture(const std::string& name) const {
@@ -216,44 +255,45 @@ bool Params::is_texture(const std::string& name) const {
   return found != given_.end() && objects_.target(*found->second).tag == "texture";
 }
 
-Colour Params::colour_map(const std::string& name, const RgbD& fallback, double low, double high) {
-  if (!is_texture(name)) return colour(name, fallback, low, high);
+TextureIndex Params::texture_up_to(const std::string& name, double low, double high) {
   const TextureIndex index = *texture(name);
   const double most = objects_.largest_value(index);
-  expect(most <= high, name, "has texels up to " + format_number(most) + ", expected " + range(low, high));
+  objects_.obstacles().attempt([&] {
+    expect(most <= high, name, "has texels up to " + format_number(most) + ", expected " + range(low, high));
+  });
   return index;
+}
+
+Colour Params::colour_map(const std::string& name, const RgbD& fallback, double low, double high) {
+  if (!is_texture(name)) return colour(name, fallback, low, high);
+  return texture_up_to(name, low, high);
 }
 
 Scalar Params::number_map(const std::string& name, double fallback, double low, double high) {
   if (!is_texture(name)) return number_in(name, fallback, low, high);
-  const TextureIndex index = *texture(name);
-  const double most = objects_.largest_value(index);
-  expect(most <= high, name, "has texels up to " + format_number(most) + ", expected " + range(low, high));
-  return index;
+  return texture_up_to(name, low, high);
 }
 
 std::optional<TextureIndex> Params::texture(const std::string& name) {
-  const Element* element = read(name);
-  if (!element) return std::nullopt;
-  return objects_.texture(*element);
+  return value_or(name, std::optional<TextureIndex>(),
+                  [&](const Element& element) { return std::optional(objects_.texture(element)); });
 }
 
 Vec3d Params::point(const std::string& name, const Vec3d& fallback) {
-  const Element* element = read(name);
-  return element ? xyz_of(sources_, *element, std::nullopt) : fallback;
+  return value_or(name, fallback, [&](const Element& element) { return xyz_of(sources_, element, std::nullopt); });
 }
 
 Transform Params::transform(const std::string& name) {
-  const Element* element = read(name);
-  return element ? transform_of(sources_, *element) : Transform();
+  return value_or(name, Transform(), [&](const Element& element) { return transform_of(sources_, element); });
 }
 
 void Params::finish() const {
   for (const auto& [name, element] : given_)
-    if (!read_.count(name)) {
-      const Attribute& attribute = require(sources_, *element, "name");
-      fail_at(sources_, attribute, "parameter '" + name + "' of " + title_ + " has no effect here");
-    }
+    if (!read_.count(name))
+      objects_.obstacles().attempt([&] {
+        const Attribute& attribute = require(sources_, *element, "name");
+        fail_at(sources_, attribute, "parameter '" + name + "' of " + title_ + " has no effect here");
+      });
 }
 
 }  // namespace photonproof::scene_xml

@@ -39,7 +39,7 @@ bool is_parameter_tag(std::string_view tag);
 
 class Params {
  public:
-  /// Reads the children of `object`, called `title` in messages ("bsdf 'diffuse'"). Throws on an unknown name, a
+  /// Reads the children of `object`, called `title` in messages ("bsdf 'diffuse'"). Obstacles are an unknown name, a
   /// repeated one, a tag of the wrong type, and nested objects that are none of `nested`.
   Params(SceneObjects& objects, const Element& object, std::string title, const std::vector<ParamSpec>& specs,
          const std::vector<NestedSpec>& nested);
@@ -66,7 +66,10 @@ class Params {
   Vec3d point(const std::string& name, const Vec3d& fallback);
   Transform transform(const std::string& name);
   /// The attribute that sets `name`, which must be given.
-  const Attribute& value_of(const std::string& name) const { return require(sources_, *given_.at(name), "value"); }
+  const Attribute& value_of(const std::string& name) const;
+  /// Throws "parameter <name> of <title> is missing, expected <what>" where it is, and its own error where it is
+  /// refused.
+  void expect_given(const std::string& name, const std::string& what) const;
   /// The tag that sets `name`, empty when none does.
   std::string tag(const std::string& name) const;
 
@@ -75,7 +78,7 @@ class Params {
   void expect(bool holds, const std::string& name, const std::string& message) const {
     if (!holds) fail(name, message);
   }
-  /// Throws unless every given parameter was read; `why` completes "parameter 'x' of <title> ...".
+  /// A parameter that was given and not read becomes an obstacle.
   void finish() const;
 
   /// The nested objects of one kind in the order of the file, each an element of that kind or a <ref> to one.
@@ -89,7 +92,13 @@ class Params {
   SceneObjects& objects() { return objects_; }
 
  private:
-  const Element* read(const std::string& name);
+  /// What `read_element` makes of the element that sets `name`. Without one, and where it throws, `fallback`.
+  template <class Value, class Read>
+  Value value_or(const std::string& name, Value fallback, Read read_element);
+  double checked_number(const std::string& name, double fallback, const std::function<void(double value)>& check);
+  bool given_twice(const Element& parameter) const;
+  void refuse(const std::string& name, const InputError& error);
+  TextureIndex texture_up_to(const std::string& name, double low, double high);
   bool is_texture(const std::string& name) const;
   void add(const Element& parameter, const std::vector<ParamSpec>& specs);
   void add_nested(const Element& child, const std::vector<ParamSpec>& specs, const std::vector<NestedSpec>& nested);
@@ -99,6 +108,7 @@ class Params {
   const Element& object_;
   std::string title_;
   std::map<std::string, const Element*, std::less<>> given_;
+  std::map<std::string, InputError, std::less<>> refused_;  // given, and an obstacle
   std::set<std::string> read_;
   std::set<std::string> emissions_;  // parameters that are a light's colour
   std::map<std::string, std::vector<const Element*>> nested_;

@@ -4,10 +4,12 @@
 #include <algorithm>
 #include <type_traits>
 
+#include "scenes/dialect/stand_ins.h"
 #include "scenes/files/atomic_file.h"
 #include "scenes/parser/expand.h"
 #include "scenes/parser/plugins.h"
 #include "scenes/parser/scene_objects.h"
+#include "scenes/parser/sensor_around.h"
 
 namespace photonproof::inline scenes_parser {
 namespace {
@@ -26,7 +28,7 @@ class SceneReader {
   SceneReader(const Sources& sources, const SceneFolders& folders, const Element& root)
       : sources_(sources), root_(root), files_(sources, folders), objects_(start(), root, files_, scene_) {}
 
-  SceneDescription run() {
+  SceneDescription run(const ParseOptions& options) {
     check_children();
     objects_.read_named();
     for_each("shape", [&](const Element& e) {
@@ -37,15 +39,13 @@ class SceneReader {
     });
     for_each("emitter", [&](const Element& e) { scene_.emitters.push_back(read_emitter(objects_, e)); });
     scene_.integrator = {sources_.loc(root_.at), PathDescription{}};
-    bool has_sensor = false;
-    for_each("sensor", [&](const Element& e) {
-      scene_.sensor = read_sensor(objects_, e);
-      has_sensor = true;
-    });
+    read_sensor_number(options.sensor);
     for_each("integrator", [&](const Element& e) { scene_.integrator = read_integrator(objects_, e); });
-    if (!has_sensor) sources_.fail(root_.at, "the scene has no <sensor>, expected one");
-    check_lit();
-    check_environments();
+    objects_.obstacles().attempt([&] { check_environments(); });
+    if (objects_.obstacles().none()) check_lit();
+    if (!options.lenient) objects_.obstacles().raise();
+    for (const InputError& error : objects_.obstacles().errors())
+      scene_.notes.push_back({error.place(), "left out: " + error.message()});
     return std::move(scene_);
   }
 
@@ -55,29 +55,43 @@ class SceneReader {
     return sources_;
   }
 
+  /// An object that cannot be read is left out, and is an obstacle.
   template <class Action>
   void for_each(const std::string& tag, Action action) {
     for (const Element& child : root_.children)
-      if (child.tag == tag) action(child);
+      if (child.tag == tag) objects_.obstacles().attempt([&] { action(child); });
+  }
+
+  void read_sensor_number(int number) {
+    std::vector<const Element*> sensors;
+    for (const Element& child : root_.children)
+      if (child.tag == "sensor") sensors.push_back(&child);
+    if (sensors.empty()) {
+      scene_.sensor = sensor_around(scene_);
+      scene_.notes.push_back({scene_.where(sources_.loc(root_.at)),
+                              "no <sensor>: a perspective camera of 45 degrees sees the whole scene from -z"});
+      return;
+    }
+    if (number < 0 || static_cast<std::size_t>(number) >= sensors.size())
+      throw InputError("--sensor", std::to_string(number) + " is not a sensor of the scene, expected 0 to " +
+                                       std::to_string(sensors.size() - 1));
+    objects_.obstacles().attempt(
+        [&] { scene_.sensor = read_sensor(objects_, *sensors[static_cast<std::size_t>(number)]); });
   }
 
   void check_children() {
-    const std::vector<std::string> known = {"bsdf",       "texture", "medium",  "shape", "emitter", "sensor",
-                                            "integrator", "default", "include", "path",  "alias"};
-    int sensors = 0, integrators = 0;
-    for (const Element& child : root_.children) {
-      if (std::find(known.begin(), known.end(), child.tag) == known.end())
-        sources_.fail(child.at, "<" + child.tag + "> is not supported in <scene>" + did_you_mean(child.tag, known) +
-                                    ", expected " + join_or(known));
-      const bool for_others = child.tag == "bsdf" || child.tag == "texture" || child.tag == "medium";
-      if (for_others && !child.find("id"))
-        sources_.fail(child.at, "a <" + child.tag + "> outside a shape needs the attribute 'id' to be of use");
-      if (is_group(child) && !child.find("id"))
-        sources_.fail(child.at, "a shapegroup needs the attribute 'id' to be of use");
-      if (child.tag == "sensor" && ++sensors > 1) sources_.fail(child.at, "a second <sensor>, expected exactly one");
-      if (child.tag == "integrator" && ++integrators > 1)
-        sources_.fail(child.at, "a second <integrator>, expected at most one");
-    }
+    const std::vector<std::string> known = {"bsdf",       "texture", "medium",  "shape",   "emitter", "sensor",
+                                            "integrator", "film",    "sampler", "rfilter", "phase",   "volume",
+                                            "spectrum",   "ref",     "default", "include", "path",    "alias"};
+    int integrators = 0;
+    for (const Element& child : root_.children)
+      objects_.obstacles().attempt([&] {
+        if (std::find(known.begin(), known.end(), child.tag) == known.end())
+          sources_.fail(child.at, "<" + child.tag + "> is not supported in <scene>" + did_you_mean(child.tag, known) +
+                                      ", expected " + join_or(known));
+        if (child.tag == "integrator" && ++integrators > 1)
+          sources_.fail(child.at, "a second <integrator>, expected at most one");
+      });
   }
 
   bool is_bright(const Colour& colour) {
@@ -91,13 +105,13 @@ class SceneReader {
     return std::visit([](const auto& light) { return !light.is_dark(); }, emitter.light);
   }
 
-  /// Refuses a scene without light, which would render black without a message.
+  /// Notes a scene without light.
   void check_lit() {
     for (const ShapeDescription& shape : scene_.shapes)
       if (shape.radiance && is_bright(*shape.radiance)) return;
     for (const EmitterDescription& emitter : scene_.emitters)
       if (is_bright(emitter)) return;
-    sources_.fail(root_.at, "the scene has no light: expected an <emitter> whose radiance or intensity is above 0");
+    scene_.notes.push_back({scene_.where(sources_.loc(root_.at)), "the scene has no light: its image is black"});
   }
 
   void check_environments() {
@@ -129,9 +143,12 @@ SceneDescription parse_scene_text(std::string_view text, const std::string& name
   Sources sources;
   SceneFolders folders(sources, options);
   const int file = sources.add(name, std::string(text));
-  const Element root = expand_scene(sources, file, folders, options);
-  SceneDescription scene = SceneReader(sources, folders, root).run();
+  Element root = expand_scene(sources, file, folders, options);
+  std::vector<SceneNote> notes = use_stand_ins(sources, root);
+  SceneDescription scene = SceneReader(sources, folders, root).run(options);
+  scene.notes.insert(scene.notes.begin(), notes.begin(), notes.end());
   for (const auto& [define, value] : options.defines) scene.defines.push_back(define + "=" + value);
+  if (options.sensor != 0) scene.defines.push_back("--sensor=" + std::to_string(options.sensor));
   return scene;
 }
 

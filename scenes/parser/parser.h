@@ -12,9 +12,12 @@ namespace photonproof::inline scenes_parser {
 struct ParseOptions {
   std::map<std::string, std::string> defines;  ///< -D name=value; every one must be used
   bool allow_outside = false;                  ///< let includes and meshes leave the scene's folder
+  int sensor = 0;                              ///< which of the scene's sensors, counted from 0
+  bool lenient = false;                        ///< leave out what cannot be read, with a note for each
 };
 
-/// Throws InputError with file:line:col on anything outside the subset.
+/// Throws InputError on anything outside the format: one error that tells all of it, with file:line:col. With
+/// `options.lenient` that is left out and becomes a note of the description. A file that is no scene is refused anyhow.
 SceneDescription parse_scene_file(const std::string& path, const ParseOptions& options = {});
 
 /// The same for text already in memory; `name` stands for the file in messages, includes resolve against its folder.

@@ -6,7 +6,7 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "scenes/base/utf8.h"
+#include "scenes/base/test_fuzz.h"
 #include "scenes/parser/parser.h"
 #include "scenes/parser/test_same_scene.h"
 #include "scenes/xml/writer.h"
@@ -30,17 +30,15 @@ ParseOptions take_define(std::string_view& text) {
   return options;
 }
 
-}  // namespace
-
-std::string check_parser(std::string_view text) {
-  const ParseOptions options = take_define(text);
+/// The promise for these options.
+std::string check_parser(std::string_view text, const ParseOptions& options) {
   SceneDescription scene;
   try {
     scene = parse_scene_text(text, kName, options);
+    // What is left out may leave objects without a use, which are not written.
+    if (options.lenient) scene = parse_scene_text(write_scene(scene), kName);
   } catch (const InputError& error) {
-    const std::string what = error.what();
-    if (find_invalid_utf8(what) != std::string::npos) return "a message is not valid UTF-8";
-    return error.summary().empty() || what.rfind(error.summary(), 0) != 0 ? "a message without its summary" : "";
+    return problem_with_message(error);
   }
   const std::string written = write_scene(scene);
   try {
@@ -52,6 +50,15 @@ std::string check_parser(std::string_view text) {
     return "the written scene is refused: " + std::string(error.what()) + "\n" + written;
   }
   return {};
+}
+
+}  // namespace
+
+std::string check_parser(std::string_view text) {
+  ParseOptions options = take_define(text);
+  std::string problem = check_parser(text, options);
+  options.lenient = true;
+  return problem.empty() ? check_parser(text, options) : problem;
 }
 
 }  // namespace photonproof::inline scenes_parser

@@ -101,9 +101,7 @@ class PluginReader {
   void one_or_two_bsdfs(BsdfIndex& front, BsdfIndex& back, const char*);
   void nested_texture(TextureIndex& v, const char*) { v = params_.objects().texture(params_.only_nested("texture")); }
 
-  void require(const char* name, const char* what) {
-    params_.expect(params_.has(name), name, std::string("is missing, expected ") + what);
-  }
+  void require(const char* name, const char* what) { params_.expect_given(name, what); }
   // Read by other functions.
   template <class... Rest>
   void also(const char*, ParamType, const Rest&...) {}

@@ -33,7 +33,7 @@ struct CompleteShape {
     expect_similarity(params, "a cylinder");
   }
   void operator()(MeshDescription& d) const {
-    const auto loaded = params.objects().files().mesh(params.value_of("filename"), d.format);
+    const auto loaded = params.objects().files().mesh(params.value_of("filename"), d.format, d.shape_index);
     d.filename = loaded.name;
     d.mesh = loaded.content;
   }
@@ -52,6 +52,9 @@ std::vector<Plugin<Geometry>> shape_plugins() {
   obj.format = MeshDescription::Format::obj;
   obj.flip_tex_coords = true;
   rows.push_back(described_plugin<Geometry, CompleteShape>(obj));
+  MeshDescription serialized;
+  serialized.format = MeshDescription::Format::serialized;
+  rows.push_back(described_plugin<Geometry, CompleteShape>(serialized));
   sort_by_name(rows);
   return rows;
 }
@@ -111,14 +114,16 @@ ShapeGroupDescription read_shape_group(SceneObjects& objects, const Element& ele
   check_attributes(sources, element, {"type", "id", "name"});
   const Params params(objects, element, title_of(sources, element), {}, {{"shape", kMaxElements}});
   ShapeGroupDescription group{sources.loc(element.at), id_of(element), {}};
-  for (const Element& child : element.children) {
+  const auto read_member = [&](const Element& child) {
     if (child.tag == "ref") sources.fail(child.at, "a shapegroup takes shapes, not references to them");
     const Attribute* inner = child.find("type");
     if (inner && (inner->value == "instance" || inner->value == "shapegroup"))
       fail_at(sources, *inner, "shape " + in_quotes(inner->value) + " cannot stand in a shapegroup");
-    group.shapes.push_back(read_shape(objects, child));
-    if (group.shapes.back().radiance) sources.fail(child.at, "a shape in a shapegroup cannot emit");
-  }
+    ShapeDescription shape = read_shape(objects, child);
+    if (shape.radiance) sources.fail(child.at, "a shape in a shapegroup cannot emit");
+    group.shapes.push_back(std::move(shape));
+  };
+  for (const Element& child : element.children) objects.obstacles().attempt([&] { read_member(child); });
   return group;
 }
 

@@ -5,6 +5,7 @@
 #include "scenes/meshes/ies.h"
 #include "scenes/meshes/obj.h"
 #include "scenes/meshes/ply.h"
+#include "scenes/meshes/serialized.h"
 
 namespace photonproof::scene_xml {
 namespace fs = std::filesystem;
@@ -90,13 +91,24 @@ auto SceneFiles::parsed(const SceneFolders::File& file, const Attribute& filenam
   }
 }
 
-SceneFiles::Loaded<TriangleMesh> SceneFiles::mesh(const Attribute& filename, MeshDescription::Format format) {
+SceneFiles::Loaded<TriangleMesh> SceneFiles::mesh(const Attribute& filename, MeshDescription::Format format,
+                                                  int index) {
   const SceneFolders::File file = folders_.find(filename);
-  std::shared_ptr<const TriangleMesh>& mesh = meshes_[{file.real, format}];
+  std::shared_ptr<const TriangleMesh>& mesh = meshes_[{file.real, format, index}];
   if (!mesh) {
-    const bool is_ply = format == MeshDescription::Format::ply;
-    mesh = std::make_shared<const TriangleMesh>(is_ply ? parsed(file, filename, kMaxPlyBytes, parse_ply)
-                                                       : parsed(file, filename, kMaxObjBytes, parse_obj));
+    const auto load = [&] {
+      switch (format) {
+        case MeshDescription::Format::ply:
+          return parsed(file, filename, kMaxPlyBytes, parse_ply);
+        case MeshDescription::Format::obj:
+          return parsed(file, filename, kMaxObjBytes, parse_obj);
+        default:
+          return parsed(file, filename, kMaxSerializedBytes, [&](const std::string& bytes, const std::string& name) {
+            return parse_serialized(bytes, name, index);
+          });
+      }
+    };
+    mesh = std::make_shared<const TriangleMesh>(load());
   }
   return {file.name, mesh};
 }

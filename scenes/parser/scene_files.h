@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <tuple>
 
 #include "scenes/description/description.h"
 #include "scenes/parser/parser.h"
@@ -53,7 +54,8 @@ class SceneFiles {
     std::string name;  ///< relative to the folder of the scene
     std::shared_ptr<const Content> content;
   };
-  Loaded<TriangleMesh> mesh(const Attribute& filename, MeshDescription::Format format);
+  /// `index`: of a serialized file.
+  Loaded<TriangleMesh> mesh(const Attribute& filename, MeshDescription::Format format, int index);
   /// `raw`: 8- and 16-bit samples are numbers, not sRGB.
   Loaded<Image> image(const Attribute& filename, bool raw);
   Loaded<IesProfile> ies(const Attribute& filename);
@@ -68,7 +70,8 @@ class SceneFiles {
 
   const Sources& sources_;
   const SceneFolders& folders_;
-  std::map<std::pair<std::filesystem::path, MeshDescription::Format>, std::shared_ptr<const TriangleMesh>> meshes_;
+  std::map<std::tuple<std::filesystem::path, MeshDescription::Format, int>, std::shared_ptr<const TriangleMesh>>
+      meshes_;
   std::map<std::pair<std::filesystem::path, bool>, std::shared_ptr<const Image>> images_;
   std::map<std::filesystem::path, std::shared_ptr<const IesProfile>> profiles_;
 };

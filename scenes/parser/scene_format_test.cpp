@@ -65,6 +65,9 @@ std::string all_tables() {
   obj.format = MeshDescription::Format::obj;
   obj.flip_tex_coords = true;
   shapes.push_back(rows_of(obj));
+  MeshDescription serialized;
+  serialized.format = MeshDescription::Format::serialized;
+  shapes.push_back(rows_of(serialized));
   auto emitters = rows_of_kinds<decltype(EmitterDescription::light)>();
   emitters.push_back(rows_of<AreaEmitter>());
   using Kind = ReconstructionFilter::Kind;

@@ -13,30 +13,28 @@ SceneObjects::SceneObjects(const Sources& sources, const Element& root, SceneFil
     : sources_(sources), root_(root), files_(files), scene_(scene) {
   register_ids(root_);
   for (const Element& child : root_.children)
-    if (child.tag == "alias") register_alias(child);
+    if (child.tag == "alias") obstacles_.attempt([&] { register_alias(child); });
 }
 
 void SceneObjects::register_ids(const Element& element) {
   const bool names_another = element.tag == "ref" || element.tag == "alias";
-  if (const Attribute* id = names_another ? nullptr : element.find("id")) {
-    if (id->value.empty()) fail_at(sources_, *id, "the id is empty, expected a name");
-    const auto [known, is_new] = named_.try_emplace(id->value, &element);
-    if (!is_new)
-      fail_at(sources_, *id,
-              "id " + in_quotes(id->value) + " is already used at " + scene_.where(sources_.loc(known->second->at)));
-  }
+  if (const Attribute* id = names_another ? nullptr : element.find("id"))
+    obstacles_.attempt([&] { register_id(*id, element); });
   for (const Element& child : element.children) register_ids(child);
+}
+
+void SceneObjects::register_id(const Attribute& id, const Element& element) {
+  if (id.value.empty()) fail_at(sources_, id, "the id is empty, expected a name");
+  const auto [known, is_new] = named_.try_emplace(id.value, &element);
+  if (!is_new)
+    fail_at(sources_, id,
+            "id " + in_quotes(id.value) + " is already used at " + scene_.where(sources_.loc(known->second->at)));
 }
 
 void SceneObjects::register_alias(const Element& element) {
   check_attributes(sources_, element, {"id", "as"});
   const Element& named = target(element);
-  const Attribute& as = require(sources_, element, "as");
-  if (as.value.empty()) fail_at(sources_, as, "the id is empty, expected a name");
-  const auto [known, is_new] = named_.try_emplace(as.value, &named);
-  if (!is_new)
-    fail_at(sources_, as,
-            "id " + in_quotes(as.value) + " is already used at " + scene_.where(sources_.loc(known->second->at)));
+  register_id(require(sources_, element, "as"), named);
 }
 
 const Element& SceneObjects::target(const Element& element) const {
@@ -90,7 +88,7 @@ Index<Tag> SceneObjects::find_or_build(Known<Tag>& known, const Element& element
   if (++depth_ > kMaxNesting)
     sources_.fail(element.at,
                   "objects nest and refer to each other more than " + std::to_string(kMaxNesting) + " deep");
-  const Index<Tag> index = build(object);
+  const Index<Tag> index = build(object);  // keeps its own errors
   --depth_;
   return *(known[&object] = index);
 }
@@ -107,20 +105,33 @@ Index<Tag> append(std::vector<Entity>& table, Entity entity) {
 
 TextureIndex SceneObjects::texture(const Element& element) {
   return find_or_build(textures_, element, [&](const Element& object) {
-    read_named_inside(object, "texture", [&](const Element& nested) { texture(nested); });
-    TextureDescription texture = read_texture(*this, object);
-    textures_known_.push_back(facts_of(texture));
-    check_depth(element, textures_known_.back().depth);
+    TextureDescription texture{sources_.loc(object.at), id_of(object),
+                               CheckerboardDescription{RgbD(0.5), RgbD(0.5), {}}};
+    TextureFacts facts{0.5, 1};
+    obstacles_.attempt([&] {
+      read_named_inside(object, "texture", [&](const Element& nested) { this->texture(nested); });
+      const TextureDescription given = read_texture(*this, object);
+      facts = facts_of(given);
+      check_depth(element, facts.depth);
+      texture = given;
+    });
+    textures_known_.push_back(facts);
     return append<TextureTag>(scene_.textures, std::move(texture));
   });
 }
 
 BsdfIndex SceneObjects::bsdf(const Element& element) {
   return find_or_build(bsdfs_, element, [&](const Element& object) {
-    read_named_inside(object, "bsdf", [&](const Element& nested) { bsdf(nested); });
-    BsdfDescription bsdf = read_bsdf(*this, object);
-    bsdfs_known_.push_back(facts_of(bsdf));
-    check_depth(element, bsdfs_known_.back().depth);
+    BsdfDescription bsdf{sources_.loc(object.at), id_of(object), DiffuseDescription{}};
+    BsdfFacts facts{false, 1};
+    obstacles_.attempt([&] {
+      read_named_inside(object, "bsdf", [&](const Element& nested) { this->bsdf(nested); });
+      const BsdfDescription given = read_bsdf(*this, object);
+      facts = facts_of(given);
+      check_depth(element, facts.depth);
+      bsdf = given;
+    });
+    bsdfs_known_.push_back(facts);
     return append<BsdfTag>(scene_.bsdfs, std::move(bsdf));
   });
 }
@@ -160,7 +171,9 @@ SceneObjects::BsdfFacts SceneObjects::facts_of(const BsdfDescription& bsdf) cons
 
 MediumIndex SceneObjects::medium(const Element& element) {
   return find_or_build(media_, element, [&](const Element& object) {
-    return append<MediumTag>(scene_.media, read_medium(*this, object));
+    MediumDescription medium{sources_.loc(object.at), id_of(object), HomogeneousDescription{.sigma_t = RgbD(0.0)}};
+    obstacles_.attempt([&] { medium = read_medium(*this, object); });
+    return append<MediumTag>(scene_.media, std::move(medium));
   });
 }
 
@@ -172,7 +185,9 @@ double SceneObjects::largest_value(const Image& image) {
 
 ShapeGroupIndex SceneObjects::shape_group(const Element& element) {
   return find_or_build(groups_, element, [&](const Element& object) {
-    return append<ShapeGroupTag>(scene_.groups, read_shape_group(*this, object));
+    ShapeGroupDescription group{sources_.loc(object.at), id_of(object), {}};
+    obstacles_.attempt([&] { group = read_shape_group(*this, object); });
+    return append<ShapeGroupTag>(scene_.groups, std::move(group));
   });
 }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "scenes/description/description.h"
+#include "scenes/parser/obstacles.h"
 #include "scenes/parser/scene_files.h"
 #include "scenes/xml/xml_source.h"
 
@@ -43,6 +44,8 @@ class SceneObjects {
 
   const Sources& sources() const { return sources_; }
   SceneFiles& files() { return files_; }
+  /// An object that cannot be read becomes an obstacle; a neutral one takes its place.
+  Obstacles& obstacles() { return obstacles_; }
   SceneDescription& scene() { return scene_; }
 
  private:
@@ -63,6 +66,7 @@ class SceneObjects {
   void check_depth(const Element& element, int depth) const;
 
   void register_ids(const Element& element);
+  void register_id(const Attribute& id, const Element& element);
   void register_alias(const Element& element);
   template <class Action>
   void for_each_named(const Element& element, const std::string& tag, Action action);
@@ -85,6 +89,7 @@ class SceneObjects {
   std::vector<TextureFacts> textures_known_;  // parallel to the scene's tables
   std::vector<BsdfFacts> bsdfs_known_;
   int depth_ = 0;
+  Obstacles obstacles_;
 };
 
 }  // namespace photonproof::scene_xml

@@ -11,7 +11,9 @@ namespace {
 
 constexpr const char* of_spectrum = "a number of the spectrum";
 
-void check(const Sources& sources, const Attribute& attribute, const std::vector<SpectrumSample>& samples) {
+void check(const Sources& sources, const Element& element, const std::vector<SpectrumSample>& samples) {
+  const Attribute* value = element.find("value") ? element.find("value") : element.find("filename");
+  const Attribute& attribute = value ? *value : require(sources, element, "type");
   if (samples.size() < 2) fail_at(sources, attribute, "the spectrum has fewer than two wavelengths");
   for (std::size_t i = 0; i < samples.size(); ++i) {
     if (samples[i].value < 0)
@@ -68,7 +70,12 @@ RgbD spectrum_of(SceneObjects& objects, const Element& element, SpectrumKind kin
     return kind == SpectrumKind::emission ? rgb_of_xyz(Vec3d(number)) : RgbD(number);
   }
   const auto samples = filename ? samples_of_file(objects, given) : pairs_of(sources, given);
-  check(sources, given, samples);
+  return rgb_of_samples(sources, element, samples, kind, most);
+}
+
+RgbD rgb_of_samples(const Sources& sources, const Element& element, const std::vector<SpectrumSample>& samples,
+                    SpectrumKind kind, double most) {
+  check(sources, element, samples);
   const RgbD rgb = rgb_of_spectrum(samples, kind);
   return {std::min(rgb.x, most), std::min(rgb.y, most), std::min(rgb.z, most)};
 }

@@ -13,4 +13,8 @@ class SceneObjects;
 /// there, as in Mitsuba. So the caller still sees a single number out of range.
 RgbD spectrum_of(SceneObjects& objects, const Element& element, SpectrumKind kind, double most);
 
+/// The linear RGB of a spectrum of pairs. Throws at `element` where they do not ascend, or one is negative.
+RgbD rgb_of_samples(const Sources& sources, const Element& element, const std::vector<SpectrumSample>& samples,
+                    SpectrumKind kind, double most);
+
 }  // namespace photonproof::scene_xml

@@ -6,13 +6,11 @@
 #include <optional>
 
 #include "scenes/base/edit_distance.h"
+#include "scenes/base/srgb.h"
 #include "scenes/base/text_numbers.h"
 
 namespace photonproof::scene_xml {
 namespace {
-
-/// IEC 61966-2-1.
-double decode_srgb(double v) { return v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4); }
 
 void check_leaf(const Sources& sources, const Element& element) {
   if (!element.children.empty())
@@ -42,12 +40,21 @@ Transform rotate_of(const Sources& sources, const Element& element) {
   return Transform::rotate(axis, degrees);
 }
 
+/// The first tangent of Duff et al. 2017, "Building an orthonormal basis, revisited", which Mitsuba takes for `up`
+/// where a lookat has none.
+Vec3d perpendicular_to(const Vec3d& n) {
+  const double sign = std::copysign(1.0, n.z), a = -1 / (sign + n.z);
+  return {1 + sign * n.x * n.x * a, sign * n.x * n.y * a, -sign * n.x};
+}
+
 Transform look_at_of(const Sources& sources, const Element& element) {
   check_attributes(sources, element, {"origin", "target", "up"});
   const Vec3d origin = vector_of(sources, require(sources, element, "origin"));
   const Vec3d target = vector_of(sources, require(sources, element, "target"));
-  const Vec3d up = vector_of(sources, require(sources, element, "up"));
   if (origin == target) sources.fail(element.at, "origin and target are the same point");
+  const Attribute* given_up = element.find("up");
+  Vec3d up = given_up ? vector_of(sources, *given_up) : Vec3d(0.0);
+  if (up == Vec3d(0.0)) up = perpendicular_to(normalize(target - origin));
   const Vec3d across = cross(normalize(up), normalize(target - origin));
   if (!(length(across) > 1e-9)) sources.fail(element.at, "'up' is zero or parallel to the viewing direction");
   return Transform::look_at(origin, target, up);

@@ -1,0 +1,52 @@
+#include "scenes/dialect/colour_stand_ins.h"
+
+#include "scenes/base/srgb.h"
+#include "scenes/base/text_numbers.h"
+#include "scenes/dialect/element_edit.h"
+
+namespace photonproof::scene_xml {
+namespace {
+
+/// The linear values of encoded ones, as text; the text itself where it is none of 1 or 3 numbers.
+std::string decoded(const std::string& text) {
+  const auto words = split_list(text);
+  if (words.size() != 1 && words.size() != 3) return text;
+  std::string result;
+  for (const std::string_view word : words) {
+    const auto parsed = parse_number(word);
+    if (!parsed.value) return text;
+    result += (result.empty() ? "" : " ") + format_number(decode_srgb(*parsed.value));
+  }
+  return result;
+}
+
+void move_to_parameter(Element& spectrum, const char* attribute) {
+  std::string value = value_of(spectrum, attribute);
+  if (value.empty()) return;
+  if (value.back() == 'K' || value.back() == 'k') value.pop_back();
+  std::erase_if(spectrum.attributes, [&](const Attribute& a) { return a.name == attribute; });
+  add_parameter(spectrum, "float", attribute, value);
+}
+
+}  // namespace
+
+void replace_colour(Element& colour) {
+  if (colour.tag == "srgb") {
+    colour.tag = "rgb";
+    if (colour.find("value")) set_attribute(colour, "value", decoded(value_of(colour, "value")));
+  }
+  if (colour.tag == "blackbody") {
+    colour.tag = "spectrum";
+    set_attribute(colour, "type", "blackbody");
+    move_to_parameter(colour, "temperature");
+    move_to_parameter(colour, "scale");
+  }
+  if (colour.tag == "rgb" || colour.tag == "spectrum")
+    std::erase_if(colour.attributes, [](const Attribute& a) { return a.name == "intent"; });
+  const std::string value = value_of(colour, "value");
+  if (colour.tag == "spectrum" && value.find(':') == std::string::npos && split_list(value).size() == 3)
+    colour.tag = "rgb";
+  if (colour.tag == "spectrum" && !value.empty() && value[0] == '#') colour.tag = "rgb";
+}
+
+}  // namespace photonproof::scene_xml

@@ -1,0 +1,12 @@
+// Colours as Mitsuba 0.6 writes them.
+#pragma once
+
+#include "scenes/xml/xml_source.h"
+
+namespace photonproof::scene_xml {
+
+/// <srgb> becomes <rgb>, <blackbody> a <spectrum> of that type, and a <spectrum> of three numbers <rgb>. The attribute
+/// `intent` goes, as the place of a colour says whether it is reflected or emitted.
+void replace_colour(Element& colour);
+
+}  // namespace photonproof::scene_xml

@@ -1,0 +1,236 @@
+// Scenes of other versions mean the same as the scenes of this format that are written out beside them.
+#include "scenes/dialect/stand_ins.h"
+
+#include <gtest/gtest.h>
+
+#include "scenes/parser/parser.h"
+#include "scenes/parser/test_same_scene.h"
+
+namespace photonproof::scene_xml {
+namespace {
+
+const std::string kSensor = "<sensor type='perspective'/>", kLight = "<emitter type='point'/>";
+
+SceneDescription parse(const std::string& content, const std::string& version = "3.0.0") {
+  return parse_scene_text("<scene version='" + version + "'>" + content + "</scene>", "test.xml");
+}
+
+/// The notes of a scene, a line each, without their places.
+std::string notes_of(const std::string& content, const std::string& version = "3.0.0") {
+  std::string text;
+  for (const SceneNote& note : parse(kSensor + kLight + content, version).notes) text += note.text + "\n";
+  return text;
+}
+
+/// Empty when an old text means what the new one does.
+std::string difference(const std::string& old_text, const std::string& new_text, const std::string& version = "0.6.0") {
+  return first_difference(parse(kSensor + kLight + old_text, version), parse(kSensor + kLight + new_text));
+}
+
+TEST(upgrade, renames_what_versions_before_2_have) {
+  EXPECT_EQ(difference("<shape type='sphere'><transform name='toWorld'><scale value='2'/></transform>"
+                       "<bsdf type='dielectric'><float name='intIOR' value='1.3'/><string name='extIOR' "
+                       "value='air'/></bsdf></shape>",
+                       "<shape type='sphere'><transform name='to_world'><scale value='2'/></transform>"
+                       "<bsdf type='dielectric'><float name='int_ior' value='1.3'/><string name='ext_ior' "
+                       "value='air'/></bsdf></shape>"),
+            "");
+  EXPECT_EQ(difference("<integrator type='path'><integer name='maxDepth' value='7'/><integer name='rrDepth' "
+                       "value='3'/></integrator>",
+                       "<integrator type='path'><integer name='max_depth' value='7'/><integer name='rr_depth' "
+                       "value='3'/></integrator>"),
+            "");
+  EXPECT_EQ(difference("<bsdf type='diffuse' id='b'><rgb name='diffuseReflectance' value='.1 .2 .3'/></bsdf>",
+                       "<bsdf type='diffuse' id='b'><rgb name='reflectance' value='.1 .2 .3'/></bsdf>"),
+            "");
+  EXPECT_EQ(difference("<luminaire type='point'><transform name='toWorld'><lookAt origin='1,2,3' target='0,0,0' "
+                       "up='0,1,0'/></transform></luminaire>",
+                       "<emitter type='point'><transform name='to_world'><lookat origin='1,2,3' target='0,0,0' "
+                       "up='0,1,0'/></transform></emitter>"),
+            "");
+}
+
+TEST(upgrade, scales_texture_coordinates_before_it_moves_them) {
+  const auto board = [](const std::string& content) {
+    return "<texture type='checkerboard' id='t'>" + content + "</texture>";
+  };
+  EXPECT_EQ(
+      difference(
+          board("<float name='uscale' value='8'/><float name='vscale' value='4'/><float name='uoffset' value='.5'/>"),
+          board("<transform name='to_uv'><scale x='8' y='4'/><translate x='.5'/></transform>")),
+      "");
+  EXPECT_EQ(difference(board("<float name='voffset' value='.25'/>"),
+                       board("<transform name='to_uv'><translate y='.25'/></transform>")),
+            "");
+}
+
+TEST(upgrade, leaves_names_of_versions_from_2_on) {
+  EXPECT_THROW(parse(kSensor + "<shape type='sphere'><transform name='toWorld'/></shape>", "2.0.0"), InputError);
+}
+
+TEST(stand_ins, render_unknown_integrators_by_the_nearest_and_tell) {
+  const auto becomes = [](const std::string& type, const std::string& more = "") {
+    const SceneDescription scene =
+        parse(kSensor + kLight + more + "<integrator type='" + type +
+              "'><integer name='max_depth' value='4'/><float name='jump' value='2'/></integrator>");
+    EXPECT_EQ(scene.notes.size(), 1u) << type;
+    EXPECT_EQ(std::visit([](const auto& d) { return d.max_depth; }, scene.integrator.method), 4) << type;
+    return scene.integrator.method.index();
+  };
+  const auto index_of = [](const std::string& type) {
+    return parse(kSensor + "<integrator type='" + type + "'/>").integrator.method.index();
+  };
+  for (const char* type : {"mlt", "pssmlt", "erpt", "vpl", "prb", "prb_basic", "guided"})
+    EXPECT_EQ(becomes(type), index_of("path")) << type;
+  for (const char* type : {"volpathmis", "prbvolpath", "volpath_simple"}) EXPECT_EQ(becomes(type), index_of("volpath"));
+  EXPECT_EQ(becomes("mlt", "<medium type='homogeneous' id='m'/>"), index_of("volpath"));
+  EXPECT_EQ(notes_of("<integrator type='mlt'/>"), "integrator 'mlt' is rendered as 'path'\n");
+  EXPECT_EQ(
+      notes_of("<integrator type='aov'><string name='aovs' value='d:depth'/><integrator type='direct'/></integrator>"),
+      "integrator 'aov' is left out: only the one that it nests is rendered\n");
+  EXPECT_THROW(parse(kSensor + kLight + "<integrator type='pathh'/>"), InputError) << "a typing error";
+}
+
+TEST(stand_ins, take_the_parameters_of_other_photon_mappers) {
+  EXPECT_EQ(
+      difference(
+          "<integrator type='sppm'><integer name='photonCount' value='5000'/><float name='initialRadius' value='.5'/>"
+          "<float name='alpha' value='.7'/><integer name='maxPasses' value='20'/></integrator>",
+          "<integrator type='sppm'><integer name='photons' value='5000'/><float name='radius' value='.5'/>"
+          "<float name='alpha' value='.7'/></integrator>"),
+      "");
+  EXPECT_EQ(difference("<integrator type='photonmapper'><integer name='globalPhotons' value='5000'/><integer "
+                       "name='causticPhotons' value='7000'/>"
+                       "<float name='globalLookupRadius' value='.05'/><integer name='lookupSize' value='120'/><integer "
+                       "name='directSamples' value='4'/></integrator>",
+                       "<integrator type='photonmapper'><integer name='global_photons' value='5000'/><integer "
+                       "name='caustic_photons' value='7000'/></integrator>"),
+            "");
+  EXPECT_EQ(
+      notes_of("<integrator type='photonmapper'><float name='globalLookupRadius' value='.05'/></integrator>", "0.6.0"),
+      "integrator 'photonmapper' chooses radii and gather rays by itself, without global_lookup_radius\n");
+}
+
+TEST(stand_ins, mix_any_number_of_bsdfs) {
+  // .5 a + .3 b + .2 c = ((a .625 + b .375) .8 + c .2)
+  const std::string a = "<bsdf type='plastic'/>", b = "<bsdf type='conductor'/>", c = "<bsdf type='null'/>";
+  const SceneDescription scene =
+      parse(kSensor + kLight + "<bsdf type='mixturebsdf' id='m'><string name='weights' value='.5, .3, .2'/>" + a + b +
+            c + "</bsdf>");
+  const auto& outer = std::get<BlendDescription>(scene.bsdfs.back().model);
+  const auto& inner = std::get<BlendDescription>(scene.bsdfs[outer.first.value].model);
+  EXPECT_EQ(scene.bsdfs.back().id, "m");
+  EXPECT_NEAR(std::get<double>(outer.weight), .2, 1e-15);
+  EXPECT_NEAR(std::get<double>(inner.weight), .375, 1e-15);
+  EXPECT_TRUE(std::holds_alternative<NullDescription>(scene.bsdfs[outer.second.value].model));
+  EXPECT_TRUE(std::holds_alternative<ConductorDescription>(scene.bsdfs[inner.second.value].model));
+  const SceneDescription dim =
+      parse(kSensor + kLight + "<bsdf type='mixturebsdf' id='m'><string name='weights' value='.25'/>" + a + "</bsdf>");
+  const auto& black = std::get<BlendDescription>(dim.bsdfs.back().model);
+  EXPECT_NEAR(std::get<double>(black.weight), .75, 1e-15) << "the rest absorbs";
+  EXPECT_EQ(constant(std::get<DiffuseDescription>(dim.bsdfs[black.second.value].model).reflectance), RgbD(0.0));
+  EXPECT_THROW(parse(kSensor + kLight + "<bsdf type='mixturebsdf' id='m'><string name='weights' value='.25'/>" + a + b +
+                     "</bsdf>"),
+               InputError);
+}
+
+TEST(stand_ins, coat_and_tell) {
+  EXPECT_EQ(notes_of("<bsdf type='roughcoating' id='c'><float name='alpha' value='.2'/><bsdf type='diffuse'><rgb "
+                     "name='reflectance' value='.3'/></bsdf></bsdf>"),
+            "bsdf 'roughcoating' is rendered as 'roughplastic': the coat absorbs nothing\n");
+  EXPECT_EQ(notes_of("<bsdf type='coating' id='c'><bsdf type='roughconductor'/></bsdf>"),
+            "bsdf 'coating' is rendered as 'layered': light is also reflected several times below the coat\n");
+  EXPECT_EQ(notes_of("<bsdf type='ward' id='w'><float name='alphaU' value='.2'/></bsdf>", "0.5.0"),
+            "bsdf 'ward' is rendered as 'phong': its highlight is round and has no Fresnel edge\n");
+  const auto ward = parse(kSensor + kLight + "<bsdf type='ward' id='w'><float name='alpha_u' value='.1'/></bsdf>");
+  EXPECT_NEAR(std::get<double>(std::get<PhongDescription>(ward.bsdfs[0].model).exponent), 49.5, 1e-9);
+}
+
+TEST(stand_ins, turn_the_sun_of_old_to_its_up) {
+  for (const char* type : {"sky", "sun", "sunsky"}) {
+    const SceneDescription scene = parse(
+        kSensor + "<emitter type='" + std::string(type) + "'><float name='turbidity' value='4'/></emitter>", "0.6.0");
+    const auto& sky = std::get<SunSkyDescription>(scene.emitters.at(0).light);
+    const Vec3d up = sky.to_world.vector({0, 0, 1});
+    EXPECT_NEAR(up.y, 1, 1e-12) << type;
+    EXPECT_EQ(sky.sun_scale, type == std::string("sky") ? 0 : 1);
+    EXPECT_EQ(sky.sky_scale, type == std::string("sun") ? 0 : 1);
+    EXPECT_EQ(sky.turbidity, 4);
+  }
+  EXPECT_NEAR(std::get<SunSkyDescription>(parse(kSensor + "<emitter type='sunsky'/>").emitters[0].light)
+                  .to_world.vector({0, 0, 1})
+                  .z,
+              1, 1e-12)
+      << "that of Mitsuba 3 stays";
+}
+
+TEST(stand_ins, read_colours_of_old) {
+  const auto reflectance = [](const std::string& colour) {
+    const auto scene = parse(kSensor + kLight + "<bsdf type='diffuse' id='b'>" + colour + "</bsdf>", "0.6.0");
+    return constant(std::get<DiffuseDescription>(scene.bsdfs[0].model).reflectance);
+  };
+  EXPECT_EQ(reflectance("<srgb name='reflectance' value='#ff0080'/>"),
+            reflectance("<rgb name='reflectance' value='#ff0080'/>"));
+  EXPECT_NEAR(reflectance("<srgb name='reflectance' value='.5'/>").x, 0.21404114, 1e-8) << "IEC 61966-2-1";
+  EXPECT_EQ(reflectance("<spectrum name='reflectance' intent='reflectance' value='.1 .2 .3'/>"), RgbD(.1, .2, .3));
+}
+
+TEST(stand_ins, accept_every_harmless_parameter) {
+  const std::map<std::string_view, std::string> inside = {
+      {"bsdf", "<bsdf type='plastic' id='b'>{}</bsdf>"},
+      {"emitter", "<emitter type='constant'>{}</emitter>"},
+      {"film", "<sensor type='orthographic'><film type='hdrfilm'>{}</film></sensor>"},
+      {"integrator", "<integrator type='path'>{}</integrator>"},
+      {"medium", "<medium type='homogeneous' id='m'>{}</medium>"},
+      {"sampler", "<sensor type='orthographic'><sampler type='independent'>{}</sampler></sensor>"},
+      {"sensor", "<sensor type='perspective'>{}</sensor>"},
+      {"shape", "<shape type='cube'>{}</shape>"},
+      {"texture", "<texture type='checkerboard' id='t'>{}</texture>"}};
+  for (const HarmlessParameter& row : harmless_parameters()) {
+    std::string text = inside.at(row.tag);
+    text.replace(text.find("{}"), 2, "<string name='" + std::string(row.name) + "' value='x'/>");
+    const std::string without = [&] {
+      std::string plain = inside.at(row.tag);
+      return plain.erase(plain.find("{}"), 2);
+    }();
+    EXPECT_EQ(first_difference(parse(text), parse(without)), "") << row.tag << " " << row.name;
+  }
+  EXPECT_EQ(std::get<ThinLensDescription>(parse("<sensor type='thinlens'><float name='aperture_radius' value='1'/>"
+                                                "<float name='focus_distance' value='7'/></sensor>")
+                                              .sensor.camera)
+                .focus_distance,
+            7);
+}
+
+TEST(stand_ins, take_films_and_words_in_any_case) {
+  const SceneDescription scene = parse(
+      "<sensor type='perspective'><float name='fov' value='30'/><string name='fovAxis' value='Y'/><film type='ldrfilm'>"
+      "<boolean name='highQualityEdges' value='true'/><float name='gamma' value='2.2'/><string name='pixelFormat' "
+      "value='rgb'/></film>"
+      "<sampler type='halton'><integer name='sampleCount' value='9'/></sampler></sensor>",
+      "0.6.0");
+  EXPECT_EQ(std::get<PerspectiveDescription>(scene.sensor.camera).fov_axis, FovAxis::y);
+  EXPECT_TRUE(scene.sensor.film.sample_border);
+  EXPECT_EQ(scene.sensor.sample_count, 9);
+  const auto film = parse(
+      "<sensor type='perspective'><film type='hdrfilm'><string name='pixel_format' "
+      "value='Luminance_Alpha'/></film></sensor>");
+  EXPECT_TRUE(film.sensor.film.alpha);
+  EXPECT_EQ(film.notes.at(0).text, "pixel_format 'luminance_alpha' is written as rgba");
+}
+
+TEST(stand_ins, keep_the_first_key_of_an_animation_and_the_shapes_of_a_merge) {
+  const auto moved =
+      parse(kSensor + kLight +
+            "<shape type='sphere'><animation name='to_world'>"
+            "<transform time='0'><translate x='3'/></transform><transform time='1'><translate x='9'/></transform>"
+            "</animation></shape>");
+  EXPECT_EQ(moved.shapes[0].to_world, Transform::translate({3, 0, 0}));
+  EXPECT_EQ(moved.notes.at(0).text, "the animation stands still at its first key");
+  EXPECT_EQ(
+      parse(kSensor + kLight + "<shape type='merge'><shape type='cube'/><shape type='sphere'/></shape>").shapes.size(),
+      2u);
+}
+
+}  // namespace
+}  // namespace photonproof::scene_xml

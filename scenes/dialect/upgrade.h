@@ -1,0 +1,13 @@
+// Files of versions before 2.0, which are Mitsuba 0.6's, with the names of today.
+#pragma once
+
+#include "scenes/xml/xml_source.h"
+
+namespace photonproof::scene_xml {
+
+/// Renames as Mitsuba 2 and 3 do when they load such a file: camelCase to snake_case, lookAt, a diffuse BSDF's
+/// reflectance, and a texture's uoffset, voffset, uscale and vscale, which become a transform. Here uv is scaled before
+/// it is moved, as version 0.6 does; Mitsuba 3 moves first, and drops an offset along one axis alone.
+void upgrade_names(Element& root);
+
+}  // namespace photonproof::scene_xml

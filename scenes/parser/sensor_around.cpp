@@ -1,0 +1,88 @@
+#include "scenes/parser/sensor_around.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace photonproof::scene_xml {
+namespace {
+
+struct Box {
+  Vec3d low{std::numeric_limits<double>::infinity()}, high{-std::numeric_limits<double>::infinity()};
+
+  void add(const Vec3d& p) {
+    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+  }
+  bool is_empty() const { return !(low.x <= high.x); }
+  /// A box around the transformed box.
+  Box transformed(const Transform& t) const {
+    Box result;
+    if (is_empty()) return result;
+    for (int corner = 0; corner < 8; ++corner)
+      result.add(t.point({corner & 1 ? high.x : low.x, corner & 2 ? high.y : low.y, corner & 4 ? high.z : low.z}));
+    return result;
+  }
+};
+
+/// Of a shape in its local space.
+struct LocalBox {
+  const SceneDescription& scene;
+
+  Box operator()(const SphereDescription& d) const { return {d.center - Vec3d(d.radius), d.center + Vec3d(d.radius)}; }
+  Box operator()(const RectangleDescription&) const { return {{-1, -1, 0}, {1, 1, 0}}; }
+  Box operator()(const DiskDescription&) const { return {{-1, -1, 0}, {1, 1, 0}}; }
+  Box operator()(const CubeDescription&) const { return {Vec3d(-1.0), Vec3d(1.0)}; }
+  Box operator()(const CylinderDescription& d) const {
+    Box box;
+    for (const Vec3d& end : {d.p0, d.p1}) {
+      box.add(end - Vec3d(d.radius));
+      box.add(end + Vec3d(d.radius));
+    }
+    return box;
+  }
+  Box operator()(const PlaneDescription&) const { return {}; }
+  Box operator()(const MeshDescription& d) const {
+    Box box;
+    for (const Vec3f& p : d.mesh->positions) box.add(Vec3d(p));
+    return box;
+  }
+  Box operator()(const HeightfieldDescription& d) const {
+    const double height = std::abs(d.amplitude);
+    return {{-1, -1, -height}, {1, 1, height}};
+  }
+  Box operator()(const InstanceDescription& d) const { return box_of(scene.groups[d.group.value].shapes); }
+
+  Box box_of(const std::vector<ShapeDescription>& shapes) const {
+    Box all;
+    for (const ShapeDescription& shape : shapes) {
+      const Box box = std::visit(*this, shape.geometry).transformed(shape.to_world);
+      if (box.is_empty()) continue;
+      all.add(box.low);
+      all.add(box.high);
+    }
+    return all;
+  }
+};
+
+}  // namespace
+
+SensorDescription sensor_around(const SceneDescription& scene) {
+  Box box = LocalBox{scene}.box_of(scene.shapes);
+  if (box.is_empty()) box = {Vec3d(-1.0), Vec3d(1.0)};
+  const double extent = max_component(box.high - box.low);
+  const double distance = extent / (2 * std::tan(std::numbers::pi / 8));
+  const Vec3d centre = (box.low + box.high) * 0.5;
+  SensorDescription sensor;
+  PerspectiveDescription camera;
+  camera.fov_degrees = 45;
+  camera.near_clip = distance / 100;
+  camera.far_clip = extent * 5 + distance;
+  sensor.camera = camera;
+  sensor.to_world = Transform::translate({centre.x, centre.y, box.low.z - distance});
+  sensor.film.filter = {ReconstructionFilter::Kind::gaussian};
+  return sensor;
+}
+
+}  // namespace photonproof::scene_xml
