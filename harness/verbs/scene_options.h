@@ -38,7 +38,7 @@ std::string is_finite_number(const std::string& text);
 /// to `most`, which are below 2^53.
 std::function<std::string(std::string)> whole_number(std::int64_t least, std::int64_t most);
 
-/// All but --size as they were given, for another process of this program.
+/// The options without --size, as they were given, for another process of this program.
 std::vector<std::string> scene_arguments(const SceneOptions& options);
 
 /// Parses the scene; its film has the size asked for. Throws InputError.

@@ -110,8 +110,8 @@ void describe(P& p, PlaneDescription&) {
   describe_placed_shape(p);
 }
 
-/// A mesh of triangles. After to_world a triangle's normal is on the side that sees its corners counter-clockwise. As
-/// in Mitsuba, a mirroring to_world turns it, unlike with the shapes above. Unless `face_normals`, shading interpolates
+/// A mesh of triangles. Before to_world a triangle's normal is on the side that sees its corners counter-clockwise. A
+/// to_world that mirrors the mesh keeps that side, as in Mitsuba 3.10. Unless `face_normals`, shading interpolates
 /// the mesh's vertex normals (transformed by the inverse transpose, normalised). Mitsuba computes missing ones as the
 /// mean of the adjoining triangles' normals, weighted by their angles at the vertex (Thuermer and Wuethrich 1998). The
 /// values here are the file's.

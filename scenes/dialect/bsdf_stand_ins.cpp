@@ -79,8 +79,8 @@ void replace_rough_coating(Element& bsdf, StandInNotes& notes) {
   for (const char* name : {"thickness", "sigma_a", "specular_sampling_weight"}) take_parameter(bsdf, name);
 }
 
-/// Ward's lobe of width alpha about the half vector is near a Phong lobe of exponent 2 / alpha^2 - 2 (Walter et al.
-/// 2007 give this for Beckmann's), four times as wide about the mirror direction.
+/// Ward's lobe of width alpha about the half vector is near a Phong lobe of exponent 2 / alpha^2 - 2 about it, as
+/// Walter et al. 2007 say of Beckmann's. About the mirror direction it is twice as wide: a fourth of the exponent.
 void replace_ward(Element& bsdf, StandInNotes& notes) {
   notes.add_stand_in(bsdf, "phong", "its highlight is round and has no Fresnel edge");
   set_attribute(bsdf, "type", "phong");

@@ -46,17 +46,21 @@ class Translator {
     if (element.tag == "film") translate_film(element);
     if (element.tag == "emitter") replace_sky(element, notes_);
     replace_colour(element);
-    for (const StandIn& row : stand_ins())
-      if (row.tag == element.tag && row.type == value_of(element, "type")) {
-        if (!row.loss.empty()) notes_.add_stand_in(element, std::string(row.becomes), std::string(row.loss));
-        set_attribute(element, "type", std::string(row.becomes));
-        break;
-      }
+    take_stand_in(element);
     lower_words(element);
     drop_harmless(element);
     take_first_key(element);
     for (Element& child : element.children) translate(child);
     merge_shapes(element);
+  }
+
+  void take_stand_in(Element& element) {
+    const auto row = std::ranges::find_if(
+        stand_ins(), [&](const StandIn& r) { return r.tag == element.tag && r.type == value_of(element, "type"); });
+    if (row == stand_ins().end()) return;
+    if (!row->loss.empty()) notes_.add_stand_in(element, std::string(row->becomes), std::string(row->loss));
+    set_attribute(element, "type", std::string(row->becomes));
+    if (row->tag == "rfilter") element.children.clear();
   }
 
   static void drop_harmless(Element& object) {
@@ -173,6 +177,9 @@ const std::vector<StandIn>& stand_ins() {
       {"film", "ldrfilm", "hdrfilm", "the image stays linear, without tone mapping"},
       {"film", "mfilm", "hdrfilm", ""},
       {"film", "tiledhdrfilm", "hdrfilm", ""},
+      {"rfilter", "catmullrom", "gaussian", "without negative lobes"},
+      {"rfilter", "lanczos", "gaussian", "without negative lobes"},
+      {"rfilter", "mitchell", "gaussian", "without negative lobes"},
       {"sampler", "halton", "independent", ""},
       {"sampler", "hammersley", "independent", ""},
       {"sampler", "sobol", "independent", ""}};

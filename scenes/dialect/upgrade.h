@@ -5,9 +5,9 @@
 
 namespace photonproof::scene_xml {
 
-/// Renames as Mitsuba 2 and 3 do when they load such a file: camelCase to snake_case, lookAt, a diffuse BSDF's
-/// reflectance, and a texture's uoffset, voffset, uscale and vscale, which become a transform. Here uv is scaled before
-/// it is moved, as version 0.6 does; Mitsuba 3 moves first, and drops an offset along one axis alone.
+/// Renames as Mitsuba 2 and 3 do when they load such a file: camelCase becomes snake_case, lookAt lookat, and a diffuse
+/// BSDF's reflectance gets its new name. A texture's uoffset, voffset, uscale and vscale become a transform. Here uv is
+/// scaled before it is moved, as version 0.6 does. Mitsuba 3 moves first, and drops an offset along one axis alone.
 void upgrade_names(Element& root);
 
 }  // namespace photonproof::scene_xml

@@ -1,4 +1,4 @@
-// What the fuzzer of serialized meshes checks.
+// The check of the fuzzer of serialized meshes.
 #pragma once
 
 #include <string>

@@ -1,5 +1,5 @@
-// A scene's obstacles are told together, or left out; scenes without a sensor or a light; several sensors; spectra with
-// a type.
+// A scene's obstacles are told together, or left out. Scenes without a sensor or a light, scenes with several sensors,
+// and spectra with a type.
 #include "scenes/parser/obstacles.h"
 
 #include <gtest/gtest.h>

@@ -92,7 +92,7 @@ class Params {
   SceneObjects& objects() { return objects_; }
 
  private:
-  /// What `read_element` makes of the element that sets `name`. Without one, and where it throws, `fallback`.
+  /// The value that `read_element` makes of the element that sets `name`. Without one, and where it throws, `fallback`.
   template <class Value, class Read>
   Value value_or(const std::string& name, Value fallback, Read read_element);
   double checked_number(const std::string& name, double fallback, const std::function<void(double value)>& check);

@@ -35,7 +35,7 @@ std::string check_parser(std::string_view text, const ParseOptions& options) {
   SceneDescription scene;
   try {
     scene = parse_scene_text(text, kName, options);
-    // What is left out may leave objects without a use, which are not written.
+    // Shapes that are left out may leave BSDFs without a use, which are not written.
     if (options.lenient) scene = parse_scene_text(write_scene(scene), kName);
   } catch (const InputError& error) {
     return problem_with_message(error);

@@ -1,9 +1,11 @@
 // The tables of docs/formats/scene.md are made from the functions that readers and writers use.
 #include <gtest/gtest.h>
 
+#include <map>
 #include <set>
 
 #include "scenes/description/description.h"
+#include "scenes/dialect/stand_ins.h"
 #include "scenes/files/atomic_file.h"
 #include "scenes/parser/plugin_rows.h"
 
@@ -82,6 +84,32 @@ std::string all_tables() {
          table("texture", rows_of_kinds<decltype(TextureDescription::pattern)>()) + table("emitter", emitters) +
          table("medium", rows_of_kinds<decltype(MediumDescription::model)>()) +
          table("phase", rows_of_kinds<decltype(HomogeneousDescription::phase)>());
+}
+
+/// The parameters that are accepted without an effect, a row a kind of object.
+std::string harmless_table() {
+  std::map<std::string_view, std::string> names;
+  for (const HarmlessParameter& row : harmless_parameters()) {
+    std::string& text = names[row.tag];
+    text += (text.empty() ? "" : ", ") + in_backquotes(std::string(row.name));
+  }
+  std::string text = line({"object", "parameters"}) + line({"---", "---"});
+  for (const auto& [tag, listed] : names) text += line({in_backquotes(std::string(tag)), listed});
+  return text;
+}
+
+std::string stand_in_table() {
+  std::string text = line({"object", "of others", "rendered as", "difference"}) + line({"---", "---", "---", "---"});
+  for (const StandIn& row : stand_ins())
+    text += line({std::string(row.tag), in_backquotes(std::string(row.type)), in_backquotes(std::string(row.becomes)),
+                  row.loss.empty() ? "none" : std::string(row.loss)});
+  return text;
+}
+
+TEST(scene_format, page_has_what_stands_in_for_what_others_have) {
+  const std::string page = read_file(PHOTONPROOF_SOURCE_DIR "/docs/formats/scene.md");
+  for (const std::string& table : {harmless_table(), stand_in_table()})
+    EXPECT_NE(page.find(table), std::string::npos) << "put this in the page:\n" << table;
 }
 
 TEST(scene_format, page_has_the_tables_that_readers_and_writers_go_by) {

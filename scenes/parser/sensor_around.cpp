@@ -26,7 +26,7 @@ struct Box {
   }
 };
 
-/// Of a shape in its local space.
+/// The box of a shape in its local space.
 struct LocalBox {
   const SceneDescription& scene;
 
