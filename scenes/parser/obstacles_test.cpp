@@ -142,5 +142,39 @@ TEST(typed_spectra, of_black_bodies_have_plancks_radiance_and_colour) {
   EXPECT_NEAR(683 * luminance * cie_y_integral, 6e5, 6e3);
 }
 
+TEST(spellings, of_mitsuba_are_read) {
+  EXPECT_NO_THROW(parse_scene_text(
+      "<?xml version='1.0'?><!DOCTYPE scene><scene version='2.1.0' id='s'>" + kSensor + kLight + "</scene>", "a.xml"));
+  const auto scene = parse(kSensor + "<emitter type='area' id='lamp'/><shape type='cube'><ref id='lamp'/></shape>");
+  EXPECT_TRUE(scene.shapes[0].radiance.has_value());
+  const auto mask = parse(kSensor + kLight +
+                          "<bsdf type='mask' id='m'><rgb name='opacity' value='1 0 0'/><bsdf type='diffuse'/></bsdf>");
+  EXPECT_NEAR(std::get<double>(std::get<MaskDescription>(mask.bsdfs.back().model).opacity), .2126, 1e-4);
+  const auto inner = parse(kSensor + kLight + "<integrator type='moment'><integrator type='direct'/></integrator>");
+  EXPECT_TRUE(std::holds_alternative<DirectDescription>(inner.integrator.method));
+}
+
+TEST(spellings, of_a_lookat_without_up_stand_on_mitsubas_basis) {
+  // Duff et al. 2017 for n = (0, 0, -1): the first tangent is (1, 0, 0), and lookat's +y lies along it.
+  const auto scene = parse(
+      "<sensor type='perspective'><transform name='to_world'><lookat origin='0,0,5' "
+      "target='0,0,0'/></transform></sensor>" +
+      kLight);
+  const Vec3d up = scene.sensor.to_world.vector({0, 1, 0});
+  EXPECT_NEAR(up.x, 1, 1e-12);
+  EXPECT_NEAR(up.y, 0, 1e-12);
+}
+
+TEST(spellings, of_a_metal_in_glass_divide_its_index) {
+  const auto metal = [](const std::string& more) {
+    const auto scene = parse(kSensor + kLight +
+                             "<bsdf type='conductor' id='m'><rgb name='eta' value='1.5'/><rgb name='k' value='3'/>" +
+                             more + "</bsdf>");
+    return *std::get<ConductorDescription>(scene.bsdfs[0].model).ior;
+  };
+  EXPECT_EQ(metal("<float name='ext_eta' value='1.5'/>"), (ComplexIor{RgbD(1.0), RgbD(2.0)}));
+  EXPECT_EQ(metal(""), (ComplexIor{RgbD(1.5), RgbD(3.0)}));
+}
+
 }  // namespace
 }  // namespace photonproof::inline scenes_parser

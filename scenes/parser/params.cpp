@@ -24,7 +24,7 @@ const std::vector<std::string>& tags_of(ParamType type) {
       {ParamType::emission, {"rgb", "spectrum", "float"}},
       {ParamType::colour_map, {"rgb", "spectrum", "float", "texture"}},
       {ParamType::emission_map, {"rgb", "spectrum", "float", "texture"}},
-      {ParamType::number_map, {"float", "integer", "texture"}},
+      {ParamType::number_map, {"float", "integer", "rgb", "spectrum", "texture"}},
       {ParamType::texture, {"texture"}},
       {ParamType::point, {"point", "vector"}},
       {ParamType::transform, {"transform"}}};
@@ -270,8 +270,10 @@ Colour Params::colour_map(const std::string& name, const RgbD& fallback, double 
 }
 
 Scalar Params::number_map(const std::string& name, double fallback, double low, double high) {
-  if (!is_texture(name)) return number_in(name, fallback, low, high);
-  return texture_up_to(name, low, high);
+  if (is_texture(name)) return texture_up_to(name, low, high);
+  if (tag(name) != "rgb" && tag(name) != "spectrum") return number_in(name, fallback, low, high);
+  const RgbD c = colour(name, RgbD(fallback), low, high);
+  return 0.212671 * c.x + 0.715160 * c.y + 0.072169 * c.z;  // Rec. 709 luminance, Mitsuba's digits
 }
 
 std::optional<TextureIndex> Params::texture(const std::string& name) {

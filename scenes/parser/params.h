@@ -59,7 +59,7 @@ class Params {
   RgbD colour(const std::string& name, const RgbD& fallback, double low, double high);
   /// The same, or a texture, whose values are checked where it is read.
   Colour colour_map(const std::string& name, const RgbD& fallback, double low, double high);
-  /// A number from `low` to `high`, or a texture.
+  /// A number from `low` to `high`, the luminance of such a colour, or a texture.
   Scalar number_map(const std::string& name, double fallback, double low, double high);
   /// The texture `name`, empty when not given.
   std::optional<TextureIndex> texture(const std::string& name);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <type_traits>
 
+#include "scenes/dialect/element_edit.h"
 #include "scenes/dialect/stand_ins.h"
 #include "scenes/files/atomic_file.h"
 #include "scenes/parser/expand.h"
@@ -37,7 +38,10 @@ class SceneReader {
     for_each("shape", [&](const Element& e) {
       if (!is_group(e)) scene_.shapes.push_back(read_shape(objects_, e));
     });
-    for_each("emitter", [&](const Element& e) { scene_.emitters.push_back(read_emitter(objects_, e)); });
+    for_each("emitter", [&](const Element& e) {
+      if (value_of(e, "type") != "area" || !e.find("id"))  // shapes refer to it
+        scene_.emitters.push_back(read_emitter(objects_, e));
+    });
     scene_.integrator = {sources_.loc(root_.at), PathDescription{}};
     read_sensor_number(options.sensor);
     for_each("integrator", [&](const Element& e) { scene_.integrator = read_integrator(objects_, e); });

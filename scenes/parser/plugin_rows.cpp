@@ -115,6 +115,8 @@ void PluginRows::metal(const std::optional<ComplexIor>&) {
   add("material", ParamType::string, "none", "none or a name", "none mirrors all light alike");
   add("eta", ParamType::colour, "0", text_of(kNotNegative), "in place of `material`: index of refraction");
   add("k", ParamType::colour, "1", text_of(kNotNegative), "in place of `material`: extinction");
+  add("ext_eta", ParamType::ior, "1", "0.001 to 1000, or a name",
+      "of Mitsuba 0.6: index of refraction before the metal");
 }
 
 void PluginRows::roughness(const Scalar& alpha_u, const Scalar&) {

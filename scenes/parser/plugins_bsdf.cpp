@@ -20,7 +20,9 @@ double read_ior(Params& params, const std::string& name, double fallback) {
               "is " + in_quotes(material) + did_you_mean(material, names) + ", expected a number or " + join_or(names));
 }
 
-std::optional<ComplexIor> read_conductor_ior(Params& params) {
+namespace {
+
+std::optional<ComplexIor> read_conductor_in_vacuum(Params& params) {
   const std::string material = params.string("material", "none");
   if (params.has("eta") || params.has("k")) {
     params.expect(material == "none", "material", "is given beside eta and k, expected one or the other");
@@ -34,6 +36,15 @@ std::optional<ComplexIor> read_conductor_ior(Params& params) {
   std::vector<std::string> names = conductor_names();
   names.push_back("none");
   params.fail("material", "is " + in_quotes(material) + did_you_mean(material, names) + ", expected " + join_or(names));
+}
+
+}  // namespace
+
+std::optional<ComplexIor> read_conductor_ior(Params& params) {
+  std::optional<ComplexIor> ior = read_conductor_in_vacuum(params);
+  const double outside = read_ior(params, "ext_eta", 1);
+  if (ior) *ior = {ior->eta / outside, ior->k / outside};
+  return ior;
 }
 
 namespace {

@@ -7,6 +7,28 @@ namespace {
 
 using Light = decltype(EmitterDescription::light);
 
+/// The image, or one of at least 2x3 pixels that shows the same: rows and columns of a single one are repeated, and
+/// between two rows comes their mean. Interpolation between pixels needs that size.
+std::shared_ptr<const Image> at_least_2x3(const std::shared_ptr<const Image>& image) {
+  if (image->width >= 2 && image->height >= 3) return image;
+  auto larger = std::make_shared<Image>(std::max(image->width, 2), std::max(image->height, 3));
+  const auto pixel = [&](int x, int y) {
+    const std::size_t at =
+        3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(image->width) + static_cast<std::size_t>(x));
+    return Rgb(image->rgb[at], image->rgb[at + 1], image->rgb[at + 2]);
+  };
+  std::size_t at = 0;
+  for (int y = 0; y < larger->height; ++y)
+    for (int x = 0; x < larger->width; ++x) {
+      const int column = std::min(x, image->width - 1),
+                first = std::min(image->height == 2 ? y / 2 : y, image->height - 1);
+      const int second = image->height == 2 ? (y + 1) / 2 : first;
+      const Rgb colour = (pixel(column, first) + pixel(column, second)) * 0.5f;
+      for (const float c : {colour.x, colour.y, colour.z}) larger->rgb[at++] = c;
+    }
+  return larger;
+}
+
 struct CompleteEmitter {
   Params& params;
 
@@ -36,7 +58,7 @@ struct CompleteEmitter {
     params.expect(is_even(d.to_world), "to_world", "scales unevenly or shears the map, expected a uniform scale");
     const auto loaded = params.objects().files().image(params.value_of("filename"), false);
     d.filename = loaded.name;
-    d.image = loaded.content;
+    d.image = at_least_2x3(loaded.content);
   }
   /// Its place is checked with the sun's direction (PluginReader::sun).
   void operator()(SunSkyDescription&) const {}

@@ -28,9 +28,7 @@ struct CompleteIntegrator {
 };
 
 Method build_moment(Params& params) {
-  const Element& nested = params.only_nested("integrator");
-  if (nested.tag == "ref") params.sources().fail(nested.at, "<ref> to an integrator, expected the integrator itself");
-  return read_integrator(params.objects(), nested).method;
+  return read_integrator(params.objects(), params.objects().target(params.only_nested("integrator"))).method;
 }
 
 std::vector<Plugin<Method>> integrator_plugins() {

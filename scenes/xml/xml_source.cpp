@@ -186,7 +186,7 @@ Element parse_xml(const Sources& sources, int file, std::size_t& elements) {
   check_text(sources, file);
   const std::string& text = sources.text(file);
   pugi::xml_document document;
-  // Fragments and the document type are kept so that stray text and a DOCTYPE are seen, and refused.
+  // Fragments and the document type are kept, so that stray text and definitions of a DOCTYPE are seen and refused.
   const unsigned flags = pugi::parse_default | pugi::parse_doctype | pugi::parse_fragment;
   const auto result = document.load_buffer(text.data(), text.size(), flags, pugi::encoding_utf8);
   if (!result) {
@@ -198,7 +198,11 @@ Element parse_xml(const Sources& sources, int file, std::size_t& elements) {
   TreeBuilder builder(sources, file, elements);
   pugi::xml_node root;
   for (const pugi::xml_node& node : document.children()) {
-    if (node.type() == pugi::node_doctype) builder.fail_at_node(node, "a DOCTYPE is not allowed in a scene");
+    if (node.type() == pugi::node_doctype) {
+      if (std::string_view(node.value()).find('[') != std::string_view::npos)
+        builder.fail_at_node(node, "a DOCTYPE with definitions is not allowed in a scene");
+      continue;
+    }
     if (node.type() != pugi::node_element) builder.fail_at_node(node, "unexpected text outside the root element");
     if (root) builder.fail_at_node(node, "a second root element, expected one");
     root = node;
