@@ -108,6 +108,7 @@ void replace_distribution(Element& bsdf, StandInNotes& notes) {
 
 void replace_bsdf(Element& bsdf, StandInNotes& notes) {
   const std::string type = value_of(bsdf, "type");
+  replace_distribution(bsdf, notes);
   if (type == "mixturebsdf") return replace_mixture(bsdf);
   if (type == "roughcoating") return replace_rough_coating(bsdf, notes);
   if (type == "ward") return replace_ward(bsdf, notes);
@@ -121,7 +122,9 @@ void replace_bsdf(Element& bsdf, StandInNotes& notes) {
     set_attribute(bsdf, "type", "diffuse");
     for (const char* name : {"alpha", "use_fast_approx"}) take_parameter(bsdf, name);
   }
-  replace_distribution(bsdf, notes);
+  if (type == "normalmap")
+    for (Element& child : bsdf.children)
+      if (child.tag == "texture" && !child.find("name")) set_attribute(child, "name", "normalmap");
 }
 
 }  // namespace photonproof::scene_xml

@@ -79,6 +79,7 @@ void replace_integrator(Element& integrator, bool scene_has_media, StandInNotes&
     rename_parameter(integrator, "photon_count", "photons");
     rename_parameter(integrator, "initial_radius", "radius");
   }
+  if (ours == "direct") rename_parameter(integrator, "luminaire_samples", "emitter_samples");
   if (ours == "sppm" || ours == "photonmapper") drop_photon_parameters(integrator, notes);
   if (const Element* strict = parameter_of(integrator, "strict_normals"); strict) {
     if (value_of(*strict, "value") == "true") notes.add(*strict, "strict_normals is left out");

@@ -8,6 +8,7 @@
 #include "scenes/dialect/colour_stand_ins.h"
 #include "scenes/dialect/integrator_stand_ins.h"
 #include "scenes/dialect/sky_stand_ins.h"
+#include "scenes/dialect/texture_stand_ins.h"
 
 namespace photonproof::scene_xml {
 namespace {
@@ -44,6 +45,8 @@ class Translator {
     if (element.tag == "integrator") replace_integrator(element, has_media_, notes_);
     if (element.tag == "bsdf") replace_bsdf(element, notes_);
     if (element.tag == "film") translate_film(element);
+    if (element.tag == "texture") replace_texture(element, notes_);
+    if (element.tag == "shape") drop_smoothing(element);
     if (element.tag == "emitter") replace_sky(element, notes_);
     replace_colour(element);
     take_stand_in(element);
@@ -61,6 +64,13 @@ class Translator {
     if (!row->loss.empty()) notes_.add_stand_in(element, std::string(row->becomes), std::string(row->loss));
     set_attribute(element, "type", std::string(row->becomes));
     if (row->tag == "rfilter") element.children.clear();
+    if (row->type == "telecentric") take_parameter(element, "aperture_radius");
+  }
+
+  /// Mitsuba 0.6 smooths edges below this angle by normals of its own.
+  void drop_smoothing(Element& mesh) {
+    if (const Element angle = take_parameter(mesh, "max_smooth_angle"); !angle.tag.empty())
+      notes_.add(angle, "max_smooth_angle is left out: normals are the file's");
   }
 
   static void drop_harmless(Element& object) {
@@ -81,10 +91,12 @@ class Translator {
     rename_parameter(film, "high_quality_edges", "sample_border");
     const bool is_ours = value_of(film, "type") == "hdrfilm";
     if (!is_ours)
-      for (const char* name : {"pixel_format", "component_format", "file_format"}) take_parameter(film, name);
+      for (const char* name : {"pixel_format", "component_format", "file_format", "digits", "variable"})
+        take_parameter(film, name);
     if (Element* format = parameter_of(film, "pixel_format")) {
       const std::string given = lower(value_of(*format, "value"));
-      if (is_any_of(given, {"luminance", "luminance_alpha", "xyz", "xyza"})) {
+      if (is_any_of(given,
+                    {"luminance", "luminance_alpha", "xyz", "xyza", "spectrum", "spectrumalpha", "luminancealpha"})) {
         const std::string becomes = given.back() == 'a' ? "rgba" : "rgb";
         notes_.add(*format, "pixel_format " + in_quotes(given) + " is written as " + becomes);
         set_attribute(*format, "value", becomes);
@@ -133,6 +145,7 @@ const std::vector<HarmlessParameter>& harmless_parameters() {
   static const std::vector<HarmlessParameter> table = {
       {"bsdf", "specular_sampling_weight", "how samples are drawn"},
       {"emitter", "cache", "how a file is read"},
+      {"emitter", "gamma", "how a file is read"},
       {"emitter", "sampling_weight", "how lights are chosen"},
       {"film", "attach_log", "a log in the file"},
       {"film", "banner", "a banner in the picture"},
@@ -143,8 +156,12 @@ const std::vector<HarmlessParameter>& harmless_parameters() {
       {"film", "key", "of tone mapping: images are linear"},
       {"film", "tonemap_method", "of tone mapping: images are linear"},
       {"integrator", "block_size", "how work is cut"},
+      {"integrator", "brute_force", "how samples are drawn"},
+      {"integrator", "granularity", "how work is cut"},
+      {"integrator", "light_image", "how samples are drawn"},
       {"integrator", "mis_compensation", "how samples are drawn"},
       {"integrator", "parallel_scatter", "how work is cut"},
+      {"integrator", "sample_direct", "how samples are drawn"},
       {"integrator", "sample_emitters", "how samples are drawn"},
       {"integrator", "samples_per_pass", "how work is cut"},
       {"integrator", "timeout", "how long a render takes: --time"},
@@ -163,6 +180,7 @@ const std::vector<HarmlessParameter>& harmless_parameters() {
       {"shape", "collapse", "how a file is read"},
       {"shape", "load_materials", "how a file is read"},
       {"shape", "silhouette_sampling_weight", "of derivatives"},
+      {"shape", "srgb", "of colours at vertices"},
       {"shape", "vertex_merging", "how a file is read"},
       {"texture", "accel", "of graphics processors"},
       {"texture", "cache", "how a file is read"},
@@ -177,6 +195,7 @@ const std::vector<StandIn>& stand_ins() {
       {"film", "ldrfilm", "hdrfilm", "the image stays linear, without tone mapping"},
       {"film", "mfilm", "hdrfilm", ""},
       {"film", "tiledhdrfilm", "hdrfilm", ""},
+      {"sensor", "telecentric", "orthographic", "everything is sharp"},
       {"rfilter", "catmullrom", "gaussian", "without negative lobes"},
       {"rfilter", "lanczos", "gaussian", "without negative lobes"},
       {"rfilter", "mitchell", "gaussian", "without negative lobes"},
