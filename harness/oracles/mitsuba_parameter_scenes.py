@@ -4,6 +4,7 @@ A scene is text that both programs read. `twin` is the text for Mitsuba where th
 rectangle for a `plane`, `path` for `bdpt`. Every parameter has at least one scene in which it is not at its default, and
 every plugin one in which all are.
 """
+import re
 from dataclasses import dataclass
 
 from mitsuba_scene_parts import (BOX, FLOOR, LAMP, LAMP_PLACE, LOOK, PATH, SKY, VOLPATH, area, ball, boolean, bsdf, camera,
@@ -501,7 +502,40 @@ def file_cases():
     yield Case("include", scene('<include filename="part.xml"/>'))
 
 
+def camel_case(text):
+    """The names of a scene as version 0.6 writes them."""
+    names = re.sub(r'name="([a-z_0-9]+)"', lambda m: 'name="' + re.sub(r"_([a-z])", lambda c: c[1].upper(), m[1]) + '"', text)
+    return names.replace('version="3.0.0"', 'version="0.6.0"')
+
+
+def spelling_cases():
+    """Other ways to write what Mitsuba takes."""
+    for index in (0, 1):
+        yield Case(f"serialized shape_index {index}", scene(shape(
+            "serialized", string("filename", "two.serialized"), integer("shape_index", index), PAINT)))
+    yield Case("serialized face_normals", scene(shape(
+        "serialized", string("filename", "two.serialized"), integer("shape_index", 1), boolean("face_normals"), PAINT)))
+    for name, eye in (("from above", "0.2,4,0.1"), ("from the front", "0.5,1.2,5"), ("from behind", "-1,2,-4")):
+        yield Case(f"lookat without up {name}", scene(ball(grey(0.7)), sensor=camera(
+            to_world=place(f'<lookat origin="{eye}" target="0,0.2,0"/>'))))
+    for kind, inside in (("uniform", number("value", 4)), ("d65", number("scale", 4)), ("srgb", rgb("color", "0.7,0.8,0.9"))):
+        yield Case(f"spectrum {kind}", scene(ball(grey(0.7)), lights=SKY + shape("rectangle", LAMP_PLACE, area(
+            element("spectrum", kind, inside, name="radiance")))))
+    yield Case("mask opacity rgb", scene(ball(bsdf("mask", rgb("opacity", "0.9,0.5,0.1"), grey(0.6)))))
+    yield Case("integrator prb", scene(ball(bsdf("dielectric")), integrator=element("integrator", "prb", integer("max_depth", 8))))
+    yield Case("film luminance", scene(ball(grey(0.7)), sensor=camera(film=film(string("file_format", "PFM")))))
+    yield Case("emitter by ref", scene(emitter("area", rgb("radiance", "10,9,8"), id="glow"), lights=SKY + shape(
+        "rectangle", LAMP_PLACE, '<ref id="glow"/>')))
+    yield Case("camera and film by ref", scene(element("film", "hdrfilm", integer("width", 64), integer("height", 48), BOX, id="film"),
+                                               sensor=element("sensor", "perspective", number("fov", 40), LOOK, '<ref id="film"/>')))
+    yield Case("version 0.6 dielectric", camel_case(scene(ball(bsdf("dielectric", number("int_ior", 1.4), number("ext_ior", 1.1))))))
+    yield Case("version 0.6 texture", camel_case(scene(ball(bsdf("diffuse", picture(
+        "reflectance", number("uscale", 3), number("vscale", 2)))))))
+    yield Case("version 0.6 roughconductor", camel_case(scene(ball(bsdf(
+        "roughconductor", number("alpha_u", 0.3), number("alpha_v", 0.1), string("material", "Cu"))))))
+
+
 def all_cases():
     cases = [case for group in (integrator_cases, sensor_cases, shape_cases, texture_cases, bsdf_cases, emitter_cases,
-                                medium_cases, file_cases) for case in group()]
+                                medium_cases, file_cases, spelling_cases) for case in group()]
     return list({case.name: case for case in cases}.values())

@@ -139,6 +139,18 @@ def write_obj(path, points, faces, normals=None, uv=None):
     path.write_text(text)
 
 
+def write_serialized(path, meshes):
+    """Mitsuba 0.6's compressed meshes, version 4: (points, faces, normals, uv) each, and the list of their offsets."""
+    def packed(points, faces, normals, uv):
+        raw = struct.pack("<I", 0x1003) + b"mesh\0" + struct.pack("<QQ", len(points), len(faces))
+        for rows in (points, normals, uv):
+            raw += np.asarray(rows, dtype="<f4").tobytes()
+        return struct.pack("<HH", 0x041C, 4) + zlib.compress(raw + np.asarray(faces, dtype="<u4").tobytes())
+    parts = [packed(*mesh) for mesh in meshes]
+    offsets = [sum(map(len, parts[:i])) for i in range(len(parts))]
+    path.write_bytes(b"".join(parts) + struct.pack(f"<{len(parts)}QI", *offsets, len(parts)))
+
+
 def coarse_egg(columns=10, rows=6):
     """A closed body of few triangles with a seam in u, so that facets and uv show."""
     points, normals, uv, faces = [], [], [], []
@@ -172,6 +184,8 @@ def write_files(folder):
     points, faces, normals, uv = coarse_egg()
     write_ply(folder / "mesh.ply", points, faces, normals, uv)
     write_obj(folder / "mesh.obj", points, faces, normals, uv)
+    write_serialized(folder / "two.serialized", [([(0.5 * x, 0.5 * y, 0.5 * z) for x, y, z in points], faces, normals, uv),
+                                                 (points, faces, normals, uv)])
     write_ply(folder / "bare.ply", points, faces)
     write_obj(folder / "bare.obj", points, faces)
     (folder / "part.xml").write_text('<scene version="3.0.0">' + ball(bsdf("diffuse", rgb("reflectance", "0.2,0.8,0.1"))) +
