@@ -1,7 +1,7 @@
 # Sourced by ./run and ./check: installs missing Debian packages and names them; quiet builds.
 
 # Packages to build and run the program.
-build_packages="g++ cmake ninja-build pkg-config libembree-dev libopenimageio-dev libopenexr-dev libpng-dev libtbb-dev libpugixml-dev
+build_packages="g++ cmake ninja-build pkg-config libembree-dev libopenimageio-dev libopenexr-dev libpng-dev libtbb-dev libpugixml-dev libassimp-dev
   libtomlplusplus-dev nlohmann-json3-dev libcli11-dev libfmt-dev libboost-dev libkainjow-mustache-dev
   zlib1g-dev povray bubblewrap libarchive-tools git mount"
 # Additional packages for the tests.

@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "harness/verbs/usage/verb_usage.h"
+#include "scenes/parser/model_file.h"
 #include "scenes/parser/parser.h"
 
 namespace photonproof::inline harness_verbs {
@@ -77,7 +78,9 @@ std::vector<std::string> scene_arguments(const SceneOptions& options) {
   return words;
 }
 
-SceneDescription load_scene(const SceneOptions& options) {
+namespace {
+
+ParseOptions parse_options(const SceneOptions& options) {
   ParseOptions parse;
   parse.allow_outside = options.allow_outside;
   parse.lenient = options.lenient;
@@ -89,7 +92,20 @@ SceneDescription load_scene(const SceneOptions& options) {
     if (!parse.defines.emplace(define.substr(0, equals), define.substr(equals + 1)).second)
       throw InputError("-D", "'" + define.substr(0, equals) + "' is defined twice");
   }
-  SceneDescription scene = parse_scene_file(options.path, parse);
+  return parse;
+}
+
+}  // namespace
+
+SceneDescription load_scene(const SceneOptions& options) {
+  SceneDescription scene = parse_scene_file(options.path, parse_options(options));
+  if (!options.size.empty()) apply_size(options.size, scene.sensor.film);
+  return scene;
+}
+
+SceneDescription load_scene_into(const SceneOptions& options, const std::string& folder) {
+  if (!is_model(options.path)) return load_scene(options);
+  SceneDescription scene = parse_model_file(options.path, folder, parse_options(options));
   if (!options.size.empty()) apply_size(options.size, scene.sensor.film);
   return scene;
 }

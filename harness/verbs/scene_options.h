@@ -41,7 +41,9 @@ std::function<std::string(std::string)> whole_number(std::int64_t least, std::in
 /// The options without --size, as they were given, for another process of this program.
 std::vector<std::string> scene_arguments(const SceneOptions& options);
 
-/// Parses the scene; its film has the size asked for. Throws InputError.
+/// Parses the scene or model; its film has the size asked for. Throws InputError.
 SceneDescription load_scene(const SceneOptions& options);
+/// The same; what a model's reader makes goes into `folder` and stays there.
+SceneDescription load_scene_into(const SceneOptions& options, const std::string& folder);
 
 }  // namespace photonproof::inline harness_verbs

@@ -11,6 +11,7 @@ namespace photonproof::inline harness_verbs {
 /// Adds the subcommand to `program`; its callback leaves the process's exit code in `exit_code`.
 void add_generate_verb(CLI::App& program, int& exit_code);
 void add_render_verb(CLI::App& program, int& exit_code);
+void add_convert_verb(CLI::App& program, int& exit_code);
 void add_export_verb(CLI::App& program, int& exit_code);
 void add_compare_verb(CLI::App& program, int& exit_code);
 void add_bench_verb(CLI::App& program, int& exit_code);

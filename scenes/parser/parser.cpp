@@ -7,7 +7,9 @@
 #include "scenes/dialect/element_edit.h"
 #include "scenes/dialect/stand_ins.h"
 #include "scenes/files/atomic_file.h"
+#include "scenes/files/scratch_folder.h"
 #include "scenes/parser/expand.h"
+#include "scenes/parser/model_file.h"
 #include "scenes/parser/plugins.h"
 #include "scenes/parser/scene_objects.h"
 #include "scenes/parser/sensor_around.h"
@@ -71,7 +73,7 @@ class SceneReader {
     for (const Element& child : root_.children)
       if (child.tag == "sensor") sensors.push_back(&child);
     if (sensors.empty()) {
-      scene_.sensor = sensor_around(scene_);
+      scene_.sensor = sensor_around(scene_, false);
       scene_.notes.push_back({scene_.where(sources_.loc(root_.at)),
                               "no <sensor>: a perspective camera of 45 degrees sees the whole scene from -z"});
       return;
@@ -136,8 +138,24 @@ class SceneReader {
 
 }  // namespace
 
+SceneDescription parse_model_file(const std::string& path, const std::string& folder, const ParseOptions& options) {
+  const ModelScene model = read_model(path, folder);
+  SceneDescription scene = parse_scene_text(model.text, (model.folder / "scene.xml").string(), options);
+  scene.notes.clear();
+  for (const std::string& remark : model.remarks) scene.notes.push_back({path, remark});
+  if (model.text.find("<sensor") == std::string::npos) {
+    scene.sensor = sensor_around(scene, true);
+    scene.notes.push_back({path, "no camera: one of 45 degrees sees the whole model from +z"});
+  }
+  return scene;
+}
+
 SceneDescription parse_scene_file(const std::string& path, const ParseOptions& options) {
-  return parse_scene_text(read_file(path, kMaxFileBytes), path, options);
+  if (!is_model(path)) return parse_scene_text(read_file(path, kMaxFileBytes), path, options);
+  const ScratchFolder scratch("model");  // its files are read before it goes
+  SceneDescription scene = parse_model_file(path, scratch.path().string(), options);
+  scene.files = {path};
+  return scene;
 }
 
 SceneDescription parse_scene_text(std::string_view text, const std::string& name, const ParseOptions& options) {

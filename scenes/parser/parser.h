@@ -16,11 +16,17 @@ struct ParseOptions {
   bool lenient = false;                        ///< leave out what cannot be read, with a note for each
 };
 
+/// Reads a scene, or a model of another format (model_file.h) to which a camera and a light are supplied.
 /// Throws InputError on anything outside the format: one error that tells all of it, with file:line:col. With
 /// `options.lenient` that is left out and becomes a note of the description. A file that is no scene is refused anyhow.
 SceneDescription parse_scene_file(const std::string& path, const ParseOptions& options = {});
 
-/// The same for text already in memory; `name` stands for the file in messages, includes resolve against its folder.
+/// The scene of a model file (model_file.h). What its reader makes goes into `folder`, which must outlive the names of
+/// files in the result. Those of a mesh alone are relative to the model's folder, those of others to `folder`.
+SceneDescription parse_model_file(const std::string& path, const std::string& folder, const ParseOptions& options = {});
+
+/// The same as parse_scene_file for text already in memory; `name` stands for the file in messages, includes resolve
+/// against its folder.
 SceneDescription parse_scene_text(std::string_view text, const std::string& name, const ParseOptions& options = {});
 
 }  // namespace photonproof::inline scenes_parser

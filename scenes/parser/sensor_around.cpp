@@ -68,7 +68,7 @@ struct LocalBox {
 
 }  // namespace
 
-SensorDescription sensor_around(const SceneDescription& scene) {
+SensorDescription sensor_around(const SceneDescription& scene, bool front) {
   Box box = LocalBox{scene}.box_of(scene.shapes);
   if (box.is_empty()) box = {Vec3d(-1.0), Vec3d(1.0)};
   const double extent = max_component(box.high - box.low);
@@ -77,10 +77,12 @@ SensorDescription sensor_around(const SceneDescription& scene) {
   SensorDescription sensor;
   PerspectiveDescription camera;
   camera.fov_degrees = 45;
+  camera.fov_axis = FovAxis::smaller;
   camera.near_clip = distance / 100;
   camera.far_clip = extent * 5 + distance;
   sensor.camera = camera;
-  sensor.to_world = Transform::translate({centre.x, centre.y, box.low.z - distance});
+  const Vec3d eye{centre.x, centre.y, front ? box.high.z + distance : box.low.z - distance};
+  sensor.to_world = Transform::look_at(eye, {centre.x, centre.y, centre.z}, {0, 1, 0});
   sensor.film.filter = {ReconstructionFilter::Kind::gaussian};
   return sensor;
 }

@@ -5,8 +5,9 @@
 
 namespace photonproof::scene_xml {
 
-/// Mitsuba 2's rule: a perspective camera of 45 degrees on the -z side, centred in x and y, so near that the scene's
-/// largest extent fills the view. Shapes without end do not count; of a scene without others it looks at [-1,1]^3.
-SensorDescription sensor_around(const SceneDescription& scene);
+/// A perspective camera as Mitsuba 2 adds one: on the -z side, centred in x and y, so near that the scene's largest
+/// extent fills 45 degrees, here of the picture's shorter side. With `front` it is on the +z side, to which models of
+/// other formats turn their front. Shapes without end do not count; of a scene without others it looks at [-1,1]^3.
+SensorDescription sensor_around(const SceneDescription& scene, bool front);
 
 }  // namespace photonproof::scene_xml

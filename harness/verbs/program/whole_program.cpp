@@ -17,6 +17,7 @@ void make_whole_program(CLI::App& program, int& exit_code) {
   program.require_subcommand(1);
   add_render_verb(program, exit_code);
   add_generate_verb(program, exit_code);
+  add_convert_verb(program, exit_code);
   add_export_verb(program, exit_code);
   add_povray_verb(program, exit_code);
   add_cycles_verb(program, exit_code);
