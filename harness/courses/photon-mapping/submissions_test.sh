@@ -21,13 +21,17 @@ for name in "${names[@]:3}"; do
 done
 if "$here/make_submissions.sh" "$work/once" nobody 2>/dev/null; then echo "nobody is a submission" >&2; exit 1; fi
 
-# Few photons and rays, to save time.
+# Few photons and rays, to save time. The Makefile of the handout is honest's, too; make_submissions.sh uses fast's.
 for name in handout honest fast; do
   sed -E 's/(GLOBAL_PHOTONS|CAUSTIC_PHOTONS|CAUSTIC_PHOTONS_WATER) [0-9]+/\1 300/; s/(GATHER_[A-Z]+) [0-9]+/\1 5/' \
     "$here/staff/config.h" >"$work/once/$name/config.h"
-  make -s -j2 -C "$work/once/$name" CXXFLAGS="-std=c++17 -O1 -ffp-contract=off -pthread" raytracer
 done
-make -s -j2 -C "$work/once/handout" CXXFLAGS="-std=c++17 -O1" test
+flags=(-std=c++17 -O1 -ffp-contract=off -pthread)
+for name in honest fast; do # all sources at once, in a third of the time
+  (cd "$work/once/$name" && rm -f unit_tests.cpp && printf '#include "%s"\n' ./*.cpp |
+    g++ "${flags[@]}" -I. -x c++ -o raytracer -)
+done
+make -s -j2 -C "$work/once/handout" CXXFLAGS="${flags[*]}" raytracer test
 for scene in 1 2 3; do
   for name in handout honest fast; do
     "$work/once/$name/raytracer" "-s$scene" -w 20 -h 12 -o "$work/$name-$scene.bmp" --seed 3 --threads 2
