@@ -100,19 +100,27 @@ std::vector<Material> materials() {
           {"Phong of exponent 100", PhongDescription{100.0, RgbD{0.2, 0.5, 0.3}, RgbD(0.4)}}};
 }
 
+constexpr int seeds = 6;
+
+std::vector<Image> path_traced(const SceneDescription& scene) {
+  std::vector<Image> images;
+  for (int seed = 1; seed <= seeds; ++seed)
+    images.push_back(render(scene, "path", job_with(384, 0, static_cast<std::uint64_t>(seed))).image.mean);
+  return images;
+}
+
 /// Checks that the means of image and floor, from independent seeds, agree within four standard errors, which are
 /// small.
-void expect_path_tracers_means(const SceneDescription& scene, IndirectLight indirect, const std::string& name) {
-  constexpr int seeds = 6;
+void expect_means(const std::vector<Image>& paths, const SceneDescription& scene, IndirectLight indirect,
+                  const std::string& name) {
   double sums[2][2] = {}, squares[2][2] = {};  // by integrator and part
   for (int seed = 1; seed <= seeds; ++seed) {
-    const auto path = render(scene, "path", job_with(384, 0, static_cast<std::uint64_t>(seed)));
     RenderJob job = job_with(64, 0, static_cast<std::uint64_t>(seed));
     job.budget.photons.reset();
-    const auto photons = render(test::with_indirect(scene, indirect), "photonmapper", job);
-    const int size = path.image.mean.width;
+    const Image photons = render(test::with_indirect(scene, indirect), "photonmapper", job).image.mean;
+    const int size = photons.width;
     int k = 0;
-    for (const Image* image : {&path.image.mean, &photons.image.mean}) {
+    for (const Image* image : {&paths[static_cast<std::size_t>(seed - 1)], &photons}) {
       const double means[] = {test::image_mean(*image), test::block_mean(*image, 0, 3 * size / 4, size, size / 4)};
       for (int part = 0; part < 2; ++part) sums[k][part] += means[part], squares[k][part] += means[part] * means[part];
       ++k;
@@ -132,15 +140,20 @@ void expect_path_tracers_means(const SceneDescription& scene, IndirectLight indi
   }
 }
 
+void expect_path_tracers_means(const SceneDescription& scene, IndirectLight indirect, const std::string& name) {
+  expect_means(path_traced(scene), scene, indirect, name);
+}
+
 TEST(rough_surfaces, have_the_path_tracers_means) {
   for (const Material& material : materials())
     expect_path_tracers_means(rough_room(material.model), IndirectLight::map, material.name);
 }
 
 TEST(rough_surfaces, have_the_path_tracers_means_with_every_kind_of_indirect_light) {
-  const Material phong = materials().back();
+  const SceneDescription scene = rough_room(materials().back().model);
+  const std::vector<Image> paths = path_traced(scene);
   for (const IndirectLight indirect : {IndirectLight::gather, IndirectLight::cache, IndirectLight::path})
-    expect_path_tracers_means(rough_room(phong.model), indirect, word_of(indirect));
+    expect_means(paths, scene, indirect, word_of(indirect));
 }
 
 // A blend stores photons with a probability, and a gather divides by it; the back of a twosided one has its own

@@ -138,8 +138,7 @@ SceneDescription box_with_a_quiet_wall(int size) {
 TEST(adaptive_weights, pixels_with_more_samples_are_as_bright_as_a_furnace_by_every_way_of_indirect_light) {
   for (const auto& way : indirect_words) {
     if (way.value == IndirectLight::automatic) continue;
-    const Adapted out =
-        adapted(test::with_indirect(box_with_a_quiet_wall(32), way.value), test::job_with(64, 2'000'000));
+    const Adapted out = adapted(test::with_indirect(box_with_a_quiet_wall(32), way.value), test::job_with(64, 500'000));
     const Part more = of_pixels(out.image, out.samples, 2, [](int, int) { return 2.0; });
     std::printf("indirect light by %s: %d pixels, %.4f of the furnace\n", way.text, more.pixels, more.ratio());
     EXPECT_GE(more.pixels, 50) << way.text;
