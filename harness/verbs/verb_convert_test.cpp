@@ -109,7 +109,7 @@ TEST_F(ConvertVerb, keeps_a_scene_of_another_folder_whole) {
   EXPECT_FALSE(has("made/scene.xml"));
   const ProcessOutcome outcome = convert("old.xml", {"--lenient"});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.standard_error;
-  EXPECT_NE(outcome.standard_output.find("note: old.xml:1:47: integrator 'mlt' is rendered as 'path'\n"),
+  EXPECT_NE(outcome.standard_output.find("note: old.xml:1:43: integrator 'mlt' is rendered as 'path'\n"),
             std::string::npos)
       << outcome.standard_output;
   const SceneDescription scene = made();

@@ -5,9 +5,9 @@
 
 namespace photonproof::scene_xml {
 
-/// A perspective camera as Mitsuba 2 adds one: on the -z side, centred in x and y, so near that the scene's largest
-/// extent fills 45 degrees, here of the picture's shorter side. With `front` it is on the +z side, to which models of
-/// other formats turn their front. Shapes without end do not count; of a scene without others it looks at [-1,1]^3.
+/// A perspective camera as Mitsuba 2 adds one, on the -z side and centred in x and y. It is so near that the scene's
+/// largest extent fills 45 degrees, here along the picture's shorter side. With `front` it is on the +z side, to which
+/// models of other formats turn their front. Shapes without end do not count. Without any other it looks at [-1,1]^3.
 SensorDescription sensor_around(const SceneDescription& scene, bool front);
 
 }  // namespace photonproof::scene_xml
