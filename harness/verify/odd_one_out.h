@@ -1,9 +1,9 @@
 // Finds the outliers among several pictures of a scene from the pairs that agree. A pure function of the pairs.
 //
-// A closed form is right: an engine that differs from it is an outlier. Engines that agree among themselves are
+// A closed form is right: an engine that differs from it is an outlier. Engines that certain agreements connect are
 // believed if they find light in more ways than the others. Engines that find their light paths by the same code share
-// their mistakes and count once. An engine that differs from all believed ones with certain pairs is an outlier. If no
-// side has more ways, the wrong one is unknown.
+// their mistakes and count once. An engine that differs from a believed one is an outlier. If no side has more ways, or
+// if two engines differ only from each other, the wrong one is unknown.
 #pragma once
 
 #include <cstddef>
@@ -41,5 +41,10 @@ struct OddOnes {
 };
 
 OddOnes odd_ones(const std::vector<Witness>& witnesses, const std::vector<WitnessPair>& pairs);
+
+/// An open case once some of the differing ones are known to be wrong. It is decided if the others do not differ from
+/// each other, else unchanged.
+OddOnes decided_by_known_wrong(const OddOnes& open, const std::vector<std::size_t>& wrong,
+                               const std::vector<WitnessPair>& pairs);
 
 }  // namespace photonproof::inline harness_verify

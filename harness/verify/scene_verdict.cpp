@@ -259,7 +259,7 @@ class SceneJudge {
     std::vector<Witness> witnesses;
     for (const Side& side : sides_) witnesses.push_back(side.witness);
     OddOnes odd = odd_ones(witnesses, pairs_);
-    if (odd.end == OddOnes::End::cannot_tell && !odd.odd.empty()) decide_by_probes(odd);
+    if (odd.end == OddOnes::End::cannot_tell && !odd.odd.empty()) odd = decided_by_probes(odd);
     out_.believed = names_of(odd.believed);
     if (odd.end == OddOnes::End::odd)
       say_who_is_odd(odd);
@@ -273,22 +273,23 @@ class SceneJudge {
   }
 
   /// Decides by a probe of the scene's contents that one engine gets wrong and no other.
-  void decide_by_probes(OddOnes& odd) {
+  OddOnes decided_by_probes(const OddOnes& odd) {
     const std::vector<std::string> held = kinds_in(description_);
-    std::vector<std::size_t> wrong, right;
+    std::vector<std::size_t> wrong;
+    std::vector<std::string> notes;
     for (const std::size_t side : odd.odd) {
       const auto is_wrong = [&](const VerifyProbe& probe) {
         return probe.verdict == "wrong" && probe.engine == sides_[side].witness.name &&
                std::ranges::find(held, probe.what) != held.end();
       };
       const auto probe = std::ranges::find_if(probes_, is_wrong);
-      (probe != probes_.end() ? wrong : right).push_back(side);
-      if (probe != probes_.end()) out_.notes.push_back("a probe decides: " + probe->sentence);
+      if (probe == probes_.end()) continue;
+      wrong.push_back(side);
+      notes.push_back("a probe decides: " + probe->sentence);
     }
-    if (wrong.empty() || right.empty()) return;
-    odd.end = OddOnes::End::odd;
-    odd.odd = wrong;
-    odd.believed = right;
+    OddOnes decided = decided_by_known_wrong(odd, wrong, pairs_);
+    if (decided.end == OddOnes::End::odd) out_.notes.insert(out_.notes.end(), notes.begin(), notes.end());
+    return decided;
   }
 
   void say_who_is_odd(const OddOnes& odd) {
