@@ -45,7 +45,7 @@ std::string checked_stats_path(const std::string& asked, const std::string& imag
   if (fs::path(image).extension() != ".exr")
     throw InputError("--output", "'" + image + "' is not the name of an EXR, expected NAME.exr");
   const std::string stats = asked.empty() ? fs::path(image).replace_extension(".stats.json").string() : asked;
-  check_outputs({image, stats}, {{scene, "the scene itself"}});
+  prepare_outputs({image, stats}, {{scene, "the scene itself"}});
   if (same_file(stats, image)) throw InputError(stats, "the stats cannot go to the image's own file");
   return stats;
 }

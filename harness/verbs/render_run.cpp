@@ -57,7 +57,7 @@ RenderRequest request_of(const RenderArguments& arguments) {
 /// Throws InputError where one of `outputs` would replace a file that the scene is read from.
 Task read_task(const RenderArguments& arguments, const std::vector<fs::path>& outputs) {
   Task task{load_scene(arguments.scene), request_of(arguments), {}};
-  if (!outputs.empty()) check_outputs(outputs, scene_inputs(task.scene));
+  if (!outputs.empty()) prepare_outputs(outputs, scene_inputs(task.scene));
   const RenderPreset* preset = preset_named(arguments.preset);
   if (preset == nullptr) return task;
   task.request.preset = arguments.preset;

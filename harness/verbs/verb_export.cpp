@@ -38,7 +38,7 @@ int export_python(const SceneDescription& description, const PovrayArguments& ar
 
 int run_export(const PovrayArguments& arguments) {
   const SceneDescription description = load_scene(arguments.scene);
-  check_outputs({arguments.output}, scene_inputs(description));
+  prepare_outputs({arguments.output}, scene_inputs(description));
   PovrayOptions options = arguments.options;
   options.stem = std::filesystem::path(arguments.output).stem().string();
   for (char& c : options.stem)  // it stands between quotes in the text

@@ -283,12 +283,12 @@ void check_before_rendering(const Job& job) {
   std::vector<InputFile> inputs = scene_inputs(job.scene);
   if (arguments.commit) {
     check_committable(arguments.scene.path, job.width, job.height);
-    check_outputs({committed, provenance_path(committed)}, inputs);
+    prepare_outputs({committed, provenance_path(committed)}, inputs);
   }
   if (arguments.output.empty()) return;
   for (const fs::path& beside : {committed, provenance_path(committed)})
     inputs.push_back({beside, "the scene's committed reference"});
-  check_outputs({arguments.output, provenance_path(arguments.output)}, inputs);
+  prepare_outputs({arguments.output, provenance_path(arguments.output)}, inputs);
 }
 
 /// The same of what cannot be known before it is known that there is something to render: a good reference is not

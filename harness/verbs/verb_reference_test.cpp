@@ -72,6 +72,14 @@ TEST_F(ReferenceVerb, that_is_committed_has_two_parents_and_the_power_of_their_t
   EXPECT_LT(provenance.witness->would_see.value(), 0.03);
 }
 
+TEST_F(ReferenceVerb, folder_of_the_output_is_made) {
+  const ProcessOutcome made =
+      reference({"--size", "4x4", "--standard-error", "0.2", "--quiet", "-o", path("new/deep/out.exr")});
+  EXPECT_TRUE(made.ok());
+  EXPECT_EQ(made.standard_error, "");
+  EXPECT_TRUE(has("new/deep/out.exr"));
+}
+
 TEST_F(ReferenceVerb, without_a_witness_has_one_parent) {
   ASSERT_TRUE(reference({"--size", "8x8", "--standard-error", "0.1", "--commit", "--no-witness"}).ok());
   const fs::path file = committed_reference_path(folder_ / "scene.xml", 8, 8);

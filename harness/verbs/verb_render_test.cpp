@@ -56,6 +56,13 @@ class RenderVerb : public FolderTest {
   std::string scene_ = library + "cornell-spheres/scene.xml";
 };
 
+TEST_F(RenderVerb, folder_of_the_output_is_made) {
+  const ProcessOutcome outcome = render("new/deep/out.exr", {"--size", "4x4", "--spp", "1", "--quiet"});
+  EXPECT_TRUE(outcome.ok());
+  EXPECT_EQ(outcome.standard_error, "");
+  EXPECT_TRUE(has("new/deep/out.exr"));
+}
+
 TEST_F(RenderVerb, killed_and_resumed_gives_the_bytes_of_a_render_never_stopped) {
   const std::vector<std::vector<std::string>> renders{
       {"--integrator", "path", "--size", "96x96", "--spp", "200", "--seed", "3"},

@@ -82,7 +82,7 @@ void write_reports(const ReportOptions& options) {
   for (const ReportFormat* format : formats)
     outputs.push_back(options.output.empty() ? folder / ("report" + std::string(format->extension))
                                              : fs::path(options.output));
-  check_outputs(outputs, inputs_of(options.results, results, folder));
+  prepare_outputs(outputs, inputs_of(options.results, results, folder));
   nlohmann::json written = nlohmann::json::array();
   for (std::size_t i = 0; i < formats.size(); ++i) {
     const ReportFormat* format = formats[i];

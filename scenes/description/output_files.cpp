@@ -10,9 +10,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-void check_writable(const fs::path& file) {
-  check_replaceable(file);
+void make_writable(const fs::path& file) {
   const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error) throw InputError(file.string(), "folder '" + folder.string() + "' cannot be made: " + error.message());
+  check_replaceable(file);
   if (access(folder.c_str(), W_OK) != 0)
     throw InputError(file.string(), "folder '" + folder.string() + "' is not writable");
 }
@@ -48,9 +51,9 @@ bool same_file(const fs::path& a, const fs::path& b) {
   return (!unresolved && real_a == real_b) || fs::equivalent(a, b, neither_exists);
 }
 
-void check_outputs(const std::vector<fs::path>& outputs, const std::vector<InputFile>& inputs) {
+void prepare_outputs(const std::vector<fs::path>& outputs, const std::vector<InputFile>& inputs) {
   for (const fs::path& output : outputs) {
-    check_writable(output);
+    make_writable(output);
     for (const InputFile& input : inputs)
       if (same_file(output, input.file))
         throw InputError(output.string(), "is " + input.what + ", which it would replace");

@@ -1,4 +1,4 @@
-// Checks a command's output files against its input files, once, before the work begins.
+// Checks a command's output files against its input files and makes their folders, once, before the work begins.
 #pragma once
 
 #include <filesystem>
@@ -17,8 +17,9 @@ struct InputFile {
 /// The scene with all its includes, and its meshes, images and light data.
 std::vector<InputFile> scene_inputs(const SceneDescription& scene);
 
-/// Throws InputError when an output could not be written or is one of the inputs, by any name or link.
-void check_outputs(const std::vector<std::filesystem::path>& outputs, const std::vector<InputFile>& inputs);
+/// Makes the outputs' folders. Throws InputError when an output could not be written or is one of the inputs, by any
+/// name or link.
+void prepare_outputs(const std::vector<std::filesystem::path>& outputs, const std::vector<InputFile>& inputs);
 
 /// Whether both names lead to one file, which need not exist.
 bool same_file(const std::filesystem::path& a, const std::filesystem::path& b);

@@ -12,7 +12,7 @@ class OutputFiles : public FolderTest {
  protected:
   std::string path(const std::string& name) const { return (folder_ / name).string(); }
   std::string refusal(const std::string& output, const std::vector<InputFile>& inputs) const {
-    return input_error_of([&] { check_outputs({output}, inputs); });
+    return input_error_of([&] { prepare_outputs({output}, inputs); });
   }
 };
 
@@ -26,6 +26,14 @@ TEST_F(OutputFiles, input_is_known_by_any_of_its_names) {
   EXPECT_EQ(refusal(path("out.json"), inputs), "no error");
   EXPECT_EQ(refusal(path(std::string(256, 'n')), inputs),
             path(std::string(256, 'n')) + ": error: cannot be written: File name too long");
+}
+
+TEST_F(OutputFiles, folder_that_is_missing_is_made) {
+  EXPECT_EQ(refusal(path("new/deep/out.exr"), {}), "no error");
+  EXPECT_TRUE(fs::is_directory(folder_ / "new/deep"));
+  put("file", "x");
+  EXPECT_EQ(refusal(path("file/out.exr"), {}),
+            path("file/out.exr") + ": error: folder '" + path("file") + "' cannot be made: Not a directory");
 }
 
 TEST_F(OutputFiles, scene_reads_all_that_it_names) {

@@ -51,7 +51,7 @@ nlohmann::ordered_json cycles_stats_json(const CyclesArguments& arguments, const
 int run_cycles(const CyclesArguments& arguments) {
   const std::string stats_path = checked_stats_path(arguments.stats_path, arguments.output, arguments.scene.path);
   const SceneDescription description = load_scene(arguments.scene);
-  check_outputs({arguments.output, stats_path}, scene_inputs(description));
+  prepare_outputs({arguments.output, stats_path}, scene_inputs(description));
   const CyclesExport scene = export_cycles(description, arguments.options);
   CyclesRunOptions options;
   options.interrupt = &interrupt_flag();

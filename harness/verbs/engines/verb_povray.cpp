@@ -52,7 +52,7 @@ nlohmann::ordered_json stats_json(const PovrayVerbArguments& arguments, const Po
 int run_povray(const PovrayVerbArguments& arguments) {
   const std::string stats_path = checked_stats_path(arguments.stats_path, arguments.output, arguments.scene.path);
   const SceneDescription description = load_scene(arguments.scene);
-  check_outputs({arguments.output, stats_path}, scene_inputs(description));
+  prepare_outputs({arguments.output, stats_path}, scene_inputs(description));
   PovrayOptions povray = arguments.options;
   povray.lights_apart = true;
   const PovrayExport scene = export_povray(description, povray);
