@@ -38,7 +38,7 @@ std::string first_sentence(const SubmissionGrade& grade) {
   std::size_t graded = 0, skipped = 0;
   const SceneGrade* first_bad = nullptr;
   for (const SceneGrade& scene : grade.scenes) {
-    if (scene.verdict == SceneVerdict::unused) continue;
+    if (scene.verdict == SceneVerdict::unused || scene.sentence == left_out_by_choice) continue;
     if (scene.verdict == SceneVerdict::skipped) {
       ++skipped;
       continue;

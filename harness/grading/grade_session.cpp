@@ -68,7 +68,7 @@ class Session {
     name_submissions();
     scenes_ = make_work_scenes(assignment_, runner_, own_engine_, options_.folder / "scenes", options_.progress);
     for (WorkScene& scene : scenes_)
-      if (!options_.scene.empty() && scene.row.name != options_.scene) scene.unused = "--scene leaves it out";
+      if (!options_.scene.empty() && scene.row.name != options_.scene) scene.unused = left_out_by_choice;
     if (prepare_all() && make_references() && grade_all()) {
       flag_all();
       if (options_.timing && assignment_.performance) time_all();
@@ -289,9 +289,10 @@ class Session {
     for (std::size_t s = 0; s < scenes_.size(); ++s) {
       SceneGrade grade;
       grade.scene = scenes_[s].row.name;
-      grade.verdict = scenes_[s].unused.empty() ? SceneVerdict::skipped : SceneVerdict::unused;
       grade.sentence = scenes_[s].unused;
-      if (work.tried && !work.grade.built) {
+      const bool is_skipped = grade.sentence.empty() || grade.sentence == left_out_by_choice;
+      grade.verdict = is_skipped ? SceneVerdict::skipped : SceneVerdict::unused;
+      if (work.tried && !work.grade.built && grade.sentence.empty()) {
         grade.verdict = SceneVerdict::failed;
         grade.sentence = "was not built";
       }

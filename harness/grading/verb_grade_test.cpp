@@ -106,6 +106,21 @@ TEST_F(GradeVerb, whatever_a_submission_does_is_said_of_it_and_grading_goes_on) 
   EXPECT_EQ(of(all, "honest").correctness_points, 40) << of(all, "honest").sentence;
 }
 
+TEST_F(GradeVerb, scene_that_is_left_out_is_skipped) {
+  put_program("honest", 1);
+  fs::create_directories(folder_ / "broken");
+  put("broken/readme", "no program");
+  ASSERT_EQ(grade({"honest", "broken"}, {"--no-timing", "--scene", "a"}).exit_code, 0);
+  const Grades all = grades();
+  for (const char* name : {"honest", "broken"}) {
+    EXPECT_EQ(of(all, name).scenes[1].verdict, SceneVerdict::skipped) << name;
+    EXPECT_EQ(of(all, name).scenes[1].sentence, "--scene leaves it out") << name;
+  }
+  EXPECT_EQ(of(all, "honest").sentence, "right on the one scene");
+  EXPECT_EQ(of(all, "honest").correctness_points, 40);
+  EXPECT_NE(get("out/gradebook.csv").find(",right,skipped,"), std::string::npos) << get("out/gradebook.csv");
+}
+
 TEST_F(GradeVerb, one_image_for_two_scenes_is_named) {
   put_program("stuck", 1, "set a 5 \"$3\"");
   ASSERT_EQ(grade({"stuck"}, {"--no-timing"}).exit_code, 0);

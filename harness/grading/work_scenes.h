@@ -16,6 +16,9 @@
 
 namespace photonproof::inline harness_grading {
 
+/// WorkScene::unused of a scene that this run leaves out.
+inline constexpr const char* left_out_by_choice = "--scene leaves it out";
+
 struct WorkScene {
   AssignmentScene row;
   std::optional<SceneDescription> description;  ///< The variant's, where it is one.
