@@ -175,6 +175,12 @@ void keep_output(const fs::path& file, const std::string& text, Result& result) 
 
 fs::path EngineRun::image() const { return short_path(place()) / ("image." + engine.row->image_extension); }
 
+bool exited_with(const Result& result, int exit_code) {
+  const std::string start = "exited with " + std::to_string(exit_code), &detail = result.detail;
+  return result.status == Status::crash && detail.starts_with(start) &&
+         detail.find_first_of("0123456789", start.size()) != start.size();
+}
+
 std::optional<Result> run_engine(const EngineRun& run) {
   const EngineCommand command = command_of(run);
   ProcessOptions options;
@@ -182,6 +188,7 @@ std::optional<Result> run_engine(const EngineRun& run) {
   if (run.limits.memory_mb > 0) options.memory_limit_bytes = run.limits.memory_mb << 20;
   options.interrupt = run.interrupt;
   options.processor = run.processor;
+  options.samples_peak = run.samples_peak;
 
   const int cores = describe_host().cores;
   const double own_before = own_cpu_seconds();

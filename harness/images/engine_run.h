@@ -43,6 +43,7 @@ struct EngineRun {
   std::string folder{};  ///< exists in the results folder; receives image, stats.json, stdout.txt and stderr.txt
   const std::atomic<bool>* interrupt = nullptr;
   std::optional<int> processor{};  ///< all of its processes run on this processor alone
+  bool samples_peak = true;        ///< ProcessOptions::samples_peak
   const Executor* executor = &usual_executor();
 
   std::filesystem::path place() const { return results_folder / folder; }
@@ -54,6 +55,9 @@ inline constexpr int unsupported_exit_code = 3;
 
 /// The file in the folder where an engine may write its stats (harness/suites/engine_stats.h).
 inline constexpr const char* stats_name = "stats.json";
+
+/// Whether the engine ended with that exit code and without a result, as the detail says.
+bool exited_with(const Result& result, int exit_code);
 
 /// A result without key and metrics; empty when the interrupt ended it. Its image path is relative to the results
 /// folder, and empty where there is none. Its command has the scene's own path instead of the copy's, ready to be

@@ -47,14 +47,17 @@ std::string ImageSource::key(const ImageEngine& engine, const ImageScene& scene,
 std::optional<KeptImage> ImageSource::draw(const ImageEngine& engine, const ImageScene& scene, const Budget& budget,
                                            std::uint64_t seed) {
   const std::string key = this->key(engine, scene, budget, seed);
-  if (!options_.reused.empty())
+  std::unique_lock<std::mutex> drawing;
+  if (!options_.reused.empty()) {
+    drawing = std::unique_lock(store_->drawing(key));
     if (std::optional<KeptImage> found = find(key);
         found && std::ranges::find(options_.reused, found->kept.result.status) != options_.reused.end())
       return found;
+  }
   if (options_.starts) options_.starts({scene.row->name, engine.row->name, budget, seed});
   const std::string folder = claim(key);
   std::optional<Result> result = run_engine(run_of(folder, engine, scene, budget, seed));
-  if (!result) return std::nullopt;
+  if (!result || (result->status == Status::timeout && is_late())) return std::nullopt;
   result->key = key;
   KeptImage image{{std::move(*result), ""}, folder};
   keep(image);
@@ -68,6 +71,11 @@ EngineRun ImageSource::run_of(const std::string& folder, const ImageEngine& engi
   run.folder = folder;
   run.interrupt = options_.interrupt;
   run.executor = options_.executor;
+  run.samples_peak = options_.use == ImageUse::measurement;
+  if (options_.until) {
+    const std::chrono::duration<double> left = *options_.until - std::chrono::steady_clock::now();
+    run.limits.seconds = std::min(run.limits.seconds, left.count());
+  }
   return run;
 }
 

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <atomic>
+#include <chrono>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -34,6 +35,8 @@ struct ImageSourceOptions {
   std::filesystem::path suite_folder{};  ///< {suite}
   Limits limits{};                       ///< of one image, with a number of threads
   std::vector<Status> reused{};          ///< `draw` returns a kept result with such a status instead of a new one
+  bool resumes = false;                  ///< the engine continues an interrupted image from the files it left
+  std::optional<std::chrono::steady_clock::time_point> until{};  ///< then the image at work is interrupted
   const std::atomic<bool>* interrupt = nullptr;
   const Executor* executor = &usual_executor();
   std::function<void(const Cell&)> starts{};  ///< called for each image that `draw` renders anew; may be empty
@@ -48,16 +51,18 @@ class ImageSource {
 
   /// The latest kept image of the key, whatever its status.
   std::optional<KeptImage> find(const std::string& key) const { return store_->latest(key); }
+  /// Removes the images of that key.
+  void remove(const std::string& key) const { store_->remove(key); }
 
   /// The kept image, or a new one, which is then kept. Its paths are relative to the results folder. Empty when
-  /// interrupted: then nothing is kept. May be called on several threads. Throws InputError where the folder cannot be
-  /// used.
+  /// interrupted: then nothing is kept. May be called on several threads, which share an image that is reused. Throws
+  /// InputError where the folder cannot be used.
   std::optional<KeptImage> draw(const ImageEngine& engine, const ImageScene& scene, const Budget& budget,
                                 std::uint64_t seed);
 
   /// The steps of `draw`, for callers that extend a result before they keep it. Claim an empty folder for a new image,
   /// run the engine in it (engine_run.h), then keep its record or replace it.
-  std::string claim(const std::string& key) { return store_->claim(key); }
+  std::string claim(const std::string& key) { return store_->claim(key, options_.resumes); }
   void keep(const KeptImage& image) const { store_->keep(image); }
   EngineRun run_of(const std::string& folder, const ImageEngine& engine, const ImageScene& scene, const Budget& budget,
                    std::uint64_t seed) const;
@@ -67,6 +72,8 @@ class ImageSource {
   Rendering image_of(const Result& result) const;
   /// The engine's stats of that image.
   EngineStats stats_of(const KeptImage& image) const;
+  /// Whether the time `until` is over.
+  bool is_late() const { return options_.until && *options_.until <= std::chrono::steady_clock::now(); }
 
  private:
   ImageSourceOptions options_;

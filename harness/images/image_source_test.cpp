@@ -1,5 +1,7 @@
 #include "harness/images/image_source.h"
 
+#include <thread>
+
 #include "harness/cells/cells.h"
 #include "harness/cells/host.h"
 #include "harness/suites/test_suite.h"
@@ -104,6 +106,31 @@ TEST_F(ImageSources, interrupted_image_is_not_kept_and_its_folder_is_used_again)
   EXPECT_EQ(draw()->folder.back(), '1');
 }
 
+TEST_F(ImageSources, image_that_is_reused_is_drawn_once_for_all_threads) {
+  options_.reused = {Status::ok};
+  ImageSource source(options_);
+  std::vector<std::thread> threads;
+  for (int i = 0; i < 4; ++i) threads.emplace_back([&] { source.draw(by(), of(), budget_, 7); });
+  for (std::thread& thread : threads) thread.join();
+  EXPECT_EQ(started_.size(), 1u);
+}
+
+TEST(ExitCode, is_read_from_a_result_that_failed) {
+  Result result;
+  result.status = Status::crash;
+  for (const char* detail :
+       {"exited with 2", "exited with 2: why", "exited with 2; for the 'x' beside the suite ..."}) {
+    result.detail = detail;
+    EXPECT_TRUE(exited_with(result, 2)) << detail;
+    EXPECT_FALSE(exited_with(result, 1)) << detail;
+  }
+  result.detail = "exited with 21";
+  EXPECT_FALSE(exited_with(result, 2));
+  result.detail = "exited with 2";
+  result.status = Status::unsupported;
+  EXPECT_FALSE(exited_with(result, 2));
+}
+
 /// Ends every command at once with its own exit code.
 class Nowhere : public Executor {
  public:
@@ -118,6 +145,31 @@ class Nowhere : public Executor {
   }
   int at_once(int) const override { return 1; }
 };
+
+/// Ends every command at its time limit.
+class Slow : public Executor {
+ public:
+  ProcessOutcome run(const std::vector<std::string>&, const ProcessOptions& options) const override {
+    limit = options.wall_limit_seconds;
+    ProcessOutcome outcome;
+    outcome.end = ProcessOutcome::End::timed_out;
+    return outcome;
+  }
+  int at_once(int) const override { return 1; }
+  mutable std::optional<double> limit{};
+};
+
+TEST_F(ImageSources, image_at_work_when_the_time_is_over_is_interrupted) {
+  const Slow slow;
+  options_.executor = &slow;
+  EXPECT_EQ(draw()->kept.result.status, Status::timeout);
+  options_.until = std::chrono::steady_clock::now();
+  EXPECT_FALSE(draw(8).has_value());
+  EXPECT_LE(slow.limit, 0);
+  options_.until = std::chrono::steady_clock::now() + std::chrono::hours(1);
+  EXPECT_EQ(draw(8)->kept.result.status, Status::timeout);
+  EXPECT_EQ(slow.limit, 20);
+}
 
 TEST_F(ImageSources, executor_decides_where_engines_run) {
   const Nowhere nowhere;

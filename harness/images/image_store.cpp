@@ -53,20 +53,32 @@ std::optional<KeptImage> ImageStore::latest(const std::string& key) const {
   });
 }
 
-std::string ImageStore::claim(const std::string& key) {
+std::string ImageStore::claim(const std::string& key, bool resumes) {
   const std::lock_guard lock(claiming_);
   int n = last_number(key);
   std::string name = folder_name(key, n);
   std::error_code error;
-  if (is_alone_ && n > 0 && !has_record(name) && !claimed_.contains(name))
+  if (is_alone_ && n > 0 && !has_record(name) && !claimed_.contains(name)) {
+    if (resumes) return *claimed_.insert(name).first;
     fs::remove_all(folder_ / name, error);
-  else
+  } else {
     name = folder_name(key, ++n);
+  }
   if (!error) fs::create_directories((folder_ / name).parent_path(), error);
   while (!error && !fs::create_directory(folder_ / name, error) && !error) name = folder_name(key, ++n);
   if (error) throw InputError((folder_ / name).string(), "cannot be made: " + error.message());
   claimed_.insert(name);
   return name;
+}
+
+void ImageStore::remove(const std::string& key) const {
+  std::error_code ignored;
+  for (int n = last_number(key); n > 0; --n) fs::remove_all(folder_ / folder_name(key, n), ignored);
+}
+
+std::mutex& ImageStore::drawing(const std::string& key) {
+  const std::lock_guard lock(claiming_);
+  return drawing_[key];
 }
 
 void ImageStore::keep(const KeptImage& image) const { write_result(record_of(image.folder).string(), image.kept); }

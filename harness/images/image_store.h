@@ -4,6 +4,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <mutex>
 #include <optional>
 #include <set>
@@ -49,12 +50,19 @@ class ImageStore {
     return std::nullopt;
   }
 
-  /// An empty folder for a new image, relative to the results folder; reuses that of an interrupted one. May be called
-  /// on several threads. Throws InputError where it cannot be made.
-  std::string claim(const std::string& key);
+  /// A folder for a new image, relative to the results folder; reuses that of an interrupted one. It is empty, or with
+  /// `resumes` has the interrupted one's files, from which the engine continues. May be called on several threads.
+  /// Throws InputError where it cannot be made.
+  std::string claim(const std::string& key, bool resumes = false);
 
   /// Completes a folder, or replaces its record after a new comparison.
   void keep(const KeptImage& image) const;
+
+  /// Removes all images of the key.
+  void remove(const std::string& key) const;
+
+  /// Held by the thread that draws the image of the key, so that others wait for it instead of drawing it again.
+  std::mutex& drawing(const std::string& key);
 
   const std::filesystem::path& folder() const { return folder_; }
   /// This file is written last into a folder of the store.
@@ -68,7 +76,8 @@ class ImageStore {
   std::filesystem::path folder_;
   bool is_alone_;
   std::mutex claiming_;
-  std::set<std::string> claimed_;  ///< by this object, and possibly still in use
+  std::set<std::string> claimed_;              ///< by this object, and possibly still in use
+  std::map<std::string, std::mutex> drawing_;  ///< by key
 };
 
 }  // namespace photonproof::inline harness_images

@@ -60,6 +60,26 @@ TEST_F(Store, folder_of_an_interrupted_image_is_emptied_and_used_again) {
   EXPECT_FALSE(has(name + "/image.exr"));
 }
 
+TEST_F(Store, folder_of_an_interrupted_image_keeps_its_files_where_the_engine_resumes) {
+  const std::string name = ImageStore(folder_).claim("key");
+  put(name + "/image.exr.checkpoint", "half");
+  ImageStore store(folder_);
+  EXPECT_EQ(store.claim("key", true), name);
+  EXPECT_EQ(get(name + "/image.exr.checkpoint"), "half");
+  EXPECT_EQ(store.claim("key", true), "cells/key-2");  // the first is in use
+}
+
+TEST_F(Store, removed_images_are_gone_and_others_stay) {
+  ImageStore store(folder_);
+  store.keep({result("first"), store.claim("key")});
+  store.keep({result("second"), store.claim("key")});
+  store.keep({result("other"), store.claim("key2")});
+  store.remove("key");
+  EXPECT_EQ(latest_detail(), "none");
+  EXPECT_FALSE(has("cells/key-1"));
+  EXPECT_TRUE(has("cells/key2-1/cell.json"));
+}
+
 TEST_F(Store, folder_that_is_being_filled_is_no_leftover) {
   ImageStore store(folder_);
   const std::string name = store.claim("key");

@@ -3,11 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "harness/cells/cells.h"
-#include "harness/images/executor.h"
-#include "harness/suites/engine_command.h"
-#include "harness/suites/engine_stats.h"
-#include "harness/variants/own_engine.h"
 #include "scenes/base/input_error.h"
 #include "scenes/files/atomic_file.h"
 #include "scenes/files/file_checksum.h"
@@ -33,8 +28,42 @@ std::string scene_text(const StressScene& scene) {
 
 /// Shortens the program's messages to the scene's file name: its folder is temporary.
 void leave_out(const fs::path& folder, std::string& text) {
-  const std::string path = folder.string() + "/";
-  for (std::size_t at = 0; (at = text.find(path)) != std::string::npos;) text.erase(at, path.size());
+  for (const fs::path& path : {folder / "", fs::proximate(folder) / ""})
+    for (std::size_t at = 0; (at = text.find(path.string())) != std::string::npos;)
+      text.erase(at, path.string().size());
+}
+
+/// The arguments of ImageSource::draw.
+struct Asked {
+  Engine row;
+  std::vector<std::string> further;
+  SuiteScene file;  ///< without a path
+  std::string text, program;
+  std::optional<FilmPart> crop;
+  Budget budget;
+
+  ImageEngine engine() const { return {&row, program, further}; }
+  ImageScene scene() const { return {&file, text, crop}; }
+};
+
+Asked asked(const StressRunner& runner, const StressScene& scene, const StressRender& how) {
+  Asked asked;
+  const Engine* other = runner.other(how.engine);
+  asked.row = other != nullptr ? *other : own_row(how.engine);
+  if (other == nullptr) {
+    asked.further = {"--sampler", "independent", "--checkpoint", "0"};
+    asked.further.insert(asked.further.end(), scene.arguments.begin(), scene.arguments.end());
+  }
+  asked.file.name = "stress";
+  asked.file.width = scene.width;
+  asked.file.height = scene.height;
+  asked.text = scene_text(scene);
+  asked.program = runner.checksum();
+  asked.crop = crop_of(scene.scene.sensor.film, scene.width, scene.height);
+  asked.budget = asked.row.accepts("spp")
+                     ? Budget{"spp", static_cast<double>(how.spp)}
+                     : Budget{asked.row.budget_kinds.empty() ? "" : asked.row.budget_kinds.front(), 1};
+  return asked;
 }
 
 }  // namespace
@@ -45,65 +74,56 @@ StressRunner::StressRunner(fs::path program, fs::path folder, std::vector<Engine
       folder_(std::move(folder)),
       others_(std::move(others)),
       interrupt_(interrupt),
-      checksum_(file_checksum(program_)) {}
+      checksum_(file_checksum(program_)),
+      references_(options(folder_)) {}
 
 const Engine* StressRunner::other(const std::string& engine) const {
   const auto row = std::find_if(others_.begin(), others_.end(), [&](const Engine& e) { return e.name == engine; });
   return row == others_.end() ? nullptr : &*row;
 }
 
-std::vector<std::string> StressRunner::command(const StressScene& scene, const StressRender& how,
-                                               const std::string& file, const std::string& out) const {
-  const Engine* other_engine = other(how.engine);
-  const Engine row =
-      other_engine != nullptr ? *other_engine : own_row({scene.width, scene.height, how.spp, how.seed, how.engine, {}});
-  CommandValues values;
-  values.photonproof = program_;
-  values.suite = fs::current_path();
-  values.scene = file;
-  values.output = out;
-  values.stats = fs::path(out).replace_extension(".stats.json");
-  values.scene_name = "stress";
-  values.width = scene.width;
-  values.height = scene.height;
-  values.threads = 1;
-  values.seed = how.seed;
-  values.budget = row.accepts("spp") ? Budget{"spp", static_cast<double>(how.spp)}
-                                     : Budget{row.budget_kinds.empty() ? "" : row.budget_kinds.front(), 1};
-  std::vector<std::string> words = fill_command(row.command, values);
-  if (other_engine != nullptr) return words;
-  words.insert(words.end(), {"--sampler", "independent", "--threads", "1", "--checkpoint", "0"});
-  words.insert(words.end(), scene.arguments.begin(), scene.arguments.end());
-  return words;
+ImageSourceOptions StressRunner::options(const fs::path& folder) const {
+  return {.use = ImageUse::verdict,
+          .folder = folder,
+          .program = program_,
+          .suite_folder = fs::current_path(),
+          .limits = {.seconds = render_limit, .memory_mb = 0, .threads = 1},
+          .reused = {Status::ok, Status::bad_image},
+          .interrupt = interrupt_};
 }
 
-std::string StressRunner::identity(const StressScene& scene, const StressRender& how) const {
-  std::string text = checksum_ + "\n" + scene_text(scene);
-  for (const std::string& part : command(scene, how, "", "")) text += "\n" + part;
-  return text;
+std::string StressRunner::key(const StressScene& scene, const StressRender& how) const {
+  const Asked what = asked(*this, scene, how);
+  return references_.key(what.engine(), what.scene(), what.budget, how.seed);
 }
 
-LevelEvidence StressRunner::render(const StressScene& scene, const StressRender& how) const {
+LevelEvidence StressRunner::draw(const StressScene& scene, const StressRender& how, bool is_kept) {
   const ScratchFolder scratch("stress");
-  const Engine* engine = other(how.engine);
-  const bool is_own = engine == nullptr;
-  const fs::path assets = folder_ / "assets",
-                 out = scratch.path() / ("image." + (is_own ? "exr" : engine->image_extension));
-  const fs::path file = is_own ? scratch.path() / "scene.xml" : assets / (scratch.path().filename().string() + ".xml");
-  write_file_atomically(file, scene_text(scene));
-  const ProcessOutcome outcome = run_command(command(scene, how, file.string(), out.string()));
-  if (!is_own) fs::remove(file);
+  const bool is_own = other(how.engine) == nullptr;
+  Asked what = asked(*this, scene, how);
+  what.file.path =
+      is_own ? scratch.path() / "scene.xml" : folder_ / "assets" / (scratch.path().filename().string() + ".xml");
+  write_file_atomically(what.file.path, what.text);
+  ImageSource once(options(scratch.path()));
+  ImageSource& source = is_kept ? references_ : once;
+  const std::optional<KeptImage> image = source.draw(what.engine(), what.scene(), what.budget, how.seed);
+  if (!is_own) fs::remove(what.file.path);
+  if (!image || (interrupt_ != nullptr && *interrupt_)) throw StressInterrupted();
+
+  const Result& result = image->kept.result;
+  const fs::path results_folder = is_kept ? folder_ : scratch.path();
+  const fs::path words = results_folder / image->folder / "stderr.txt";
+  const bool has_failed = result.status == Status::unsupported || result.detail.starts_with("exited with ");
   LevelEvidence evidence;
   evidence.samples = how.spp;
-  evidence.ending = outcome.sentence();
-  evidence.message = last_line(outcome.standard_error);
+  evidence.ending = result.detail.substr(0, result.detail.find(": "));
+  if (fs::exists(words)) evidence.message = last_line(read_file(words));
   leave_out(scratch.path(), evidence.message);
-  evidence.refused = outcome.end == ProcessOutcome::End::exited && !evidence.message.empty() &&
-                     (outcome.exit_code == 2 || (!is_own && outcome.exit_code > 0));
+  evidence.refused = !evidence.message.empty() && (is_own ? exited_with(result, 2) : has_failed);
   evidence.states_noise = is_own;
-  const bool has_ended = outcome.end == ProcessOutcome::End::exited && outcome.exit_code <= 1;
-  if (has_ended && fs::exists(out)) evidence.picture = read_rendering(out.string());
-  EngineStats stats = read_engine_stats(scratch.path() / "image.stats.json");
+  const bool has_ended = result.status == Status::ok || result.status == Status::bad_image || exited_with(result, 1);
+  if (has_ended && !result.image.empty()) evidence.picture = read_rendering((results_folder / result.image).string());
+  EngineStats stats = source.stats_of(*image);
   evidence.losses = std::move(stats.losses);
   for (std::string& loss : evidence.losses) leave_out(scratch.path(), loss);
   evidence.relative_bias = stats.counts["relative_bias"];
@@ -112,41 +132,20 @@ LevelEvidence StressRunner::render(const StressScene& scene, const StressRender&
 
 ProcessOutcome StressRunner::run(std::vector<std::string> arguments) const {
   arguments.insert(arguments.begin(), program_.string());
-  return run_command(arguments);
-}
-
-ProcessOutcome StressRunner::run_command(const std::vector<std::string>& command) const {
   ProcessOptions options;
   options.wall_limit_seconds = render_limit;
   options.interrupt = interrupt_;
-  options.samples_peak = false;
-  ProcessOutcome outcome = usual_executor().run(command, options);
+  ProcessOutcome outcome = usual_executor().run(arguments, options);
   if (outcome.end == ProcessOutcome::End::interrupted || (interrupt_ != nullptr && *interrupt_))
     throw StressInterrupted();
   return outcome;
 }
 
 Rendering StressRunner::reference(const StressScene& scene, const StressRender& how) {
-  const std::string key = content_key({{"render", identity(scene, how)}});
-  const fs::path kept = folder_ / "references" / (key + ".exr"), refusal = fs::path(kept).replace_extension(".txt");
-  std::shared_ptr<std::mutex> making;
-  {
-    const std::lock_guard lock(guard_);
-    std::shared_ptr<std::mutex>& own = making_[key];
-    if (!own) own = std::make_shared<std::mutex>();
-    making = own;
-  }
-  const std::lock_guard lock(*making);
-  if (fs::exists(kept)) return read_rendering(kept.string());
-  if (fs::exists(refusal)) throw InputError(how.engine, read_file(refusal));
-  const LevelEvidence evidence = render(scene, how);
-  if (!evidence.picture) {
-    if (!evidence.refused) throw ReferenceCrashed{evidence.ending + ": " + evidence.message};
-    write_file_atomically(refusal, evidence.message);
-    throw InputError(how.engine, evidence.message);
-  }
-  write_exr(kept.string(), *evidence.picture);
-  return *evidence.picture;
+  LevelEvidence evidence = draw(scene, how, true);
+  if (evidence.picture) return *std::move(evidence.picture);
+  if (evidence.refused) throw InputError(how.engine, evidence.message);
+  throw ReferenceCrashed{evidence.ending + ": " + evidence.message};
 }
 
 }  // namespace photonproof::inline harness_stress

@@ -3,14 +3,12 @@
 
 #include <atomic>
 #include <filesystem>
-#include <map>
-#include <memory>
-#include <mutex>
+#include <optional>
 #include <string>
 
+#include "harness/images/image_source.h"
 #include "harness/stress/level_judge.h"
 #include "harness/stress/sweep.h"
-#include "harness/suites/engines.h"
 #include "scenes/base/process.h"
 
 namespace photonproof::inline harness_stress {
@@ -31,35 +29,33 @@ struct ReferenceCrashed {
 
 class StressRunner {
  public:
-  /// Keeps references in `folder`/references, by all their inputs. Scenes for `others` are in `folder`/assets, beside
-  /// the files that they name.
+  /// Keeps references in `folder`/cells (harness/images/image_store.h). Scenes for `others` are in `folder`/assets,
+  /// beside the files that they name.
   StressRunner(std::filesystem::path program, std::filesystem::path folder, std::vector<Engine> others,
                const std::atomic<bool>* interrupt);
 
   /// The row of an engine that is not an integrator; null for an integrator.
   const Engine* other(const std::string& engine) const;
 
-  LevelEvidence render(const StressScene& scene, const StressRender& how) const;
+  LevelEvidence render(const StressScene& scene, const StressRender& how) { return draw(scene, how, false); }
   /// Another verb of the program. Throws StressInterrupted.
   ProcessOutcome run(std::vector<std::string> arguments) const;
   /// Like `render`, but kept. Throws InputError with the program's message where it refuses the scene, else
   /// ReferenceCrashed where there is no picture.
   Rendering reference(const StressScene& scene, const StressRender& how);
-  /// All inputs of a render, as text.
-  std::string identity(const StressScene& scene, const StressRender& how) const;
+  /// The key of a render's image (harness/images/image_source.h).
+  std::string key(const StressScene& scene, const StressRender& how) const;
   const std::string& checksum() const { return checksum_; }
 
  private:
-  std::vector<std::string> command(const StressScene& scene, const StressRender& how, const std::string& file,
-                                   const std::string& out) const;
-  ProcessOutcome run_command(const std::vector<std::string>& command) const;
+  LevelEvidence draw(const StressScene& scene, const StressRender& how, bool is_kept);
+  ImageSourceOptions options(const std::filesystem::path& folder) const;
 
   std::filesystem::path program_, folder_;
   std::vector<Engine> others_;
   const std::atomic<bool>* interrupt_;
   std::string checksum_;
-  std::mutex guard_;
-  std::map<std::string, std::shared_ptr<std::mutex>> making_;
+  ImageSource references_;
 };
 
 }  // namespace photonproof::inline harness_stress

@@ -141,11 +141,11 @@ class SweepRunner {
   StressLevel level(const SweepRun& sweep_run, double height, double most_samples) {
     if (sweep_run.sweep->measured) return measured_level(*sweep_run.sweep, height);
     const StressScene asked = scene(sweep_run, height);
-    const std::string alike = sweep_run.sweep->alike ? runner_.identity(sweep_run.sweep->alike(height),
-                                                                        {sweep_run.engine, LevelLook().samples, 1})
-                                                     : "";
+    const std::string alike =
+        sweep_run.sweep->alike ? runner_.key(sweep_run.sweep->alike(height), {sweep_run.engine, LevelLook().samples, 1})
+                               : "";
     const std::string key = content_key({{"judging", judging_version},
-                                         {"rung", runner_.identity(asked, {sweep_run.engine, LevelLook().samples, 2})},
+                                         {"rung", runner_.key(asked, {sweep_run.engine, LevelLook().samples, 2})},
                                          {"alike", alike},
                                          {"most_samples", format_number(most_samples)}});
     const fs::path kept = options_.folder / "rungs" / (key + ".json");
@@ -255,7 +255,7 @@ std::vector<Sweep> sweeps_of(const StressOptions& options) {
 }
 
 void make_folders(const fs::path& folder) {
-  for (const char* part : {"assets", "rungs", "references", "pictures"}) fs::create_directories(folder / part);
+  for (const char* part : {"assets", "rungs", "pictures"}) fs::create_directories(folder / part);
 }
 
 /// Moves a record of another program aside, never overwriting it.

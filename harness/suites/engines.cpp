@@ -69,6 +69,17 @@ std::vector<Engine> builtin_engines() {
   return engines;
 }
 
+Engine own_row(const std::string& integrator) {
+  Engine row;
+  row.name = integrator.empty() ? "photonproof" : integrator;
+  row.command = {"{photonproof}", "render",          "{scene}",          "-o",      "{output}", "--stats",
+                 "{stats}",       "--size",          "{width}x{height}", "--seed",  "{seed}",   "--threads",
+                 "{threads}",     "--allow-outside", "--quiet",          "{budget}"};
+  if (!integrator.empty()) row.command.insert(row.command.end(), {"--integrator", integrator});
+  row.budget_kinds = {"spp"};
+  return row;
+}
+
 std::vector<Engine> engines_from_toml(const TomlTable& document, const std::vector<Engine>& existing) {
   std::vector<Engine> engines;
   for (const TomlTable& row : document.tables("engine")) {

@@ -31,6 +31,9 @@ struct Engine {
 /// Rows of engines.toml, which is part of this program.
 std::vector<Engine> builtin_engines();
 
+/// A row of our own program that no suite names. An empty integrator is the scene's own, with its parameters.
+Engine own_row(const std::string& integrator);
+
 /// The [[engine]] rows of a document. Throws InputError with the place on unknown keys, wrong types, unknown
 /// placeholders and names that occur twice, in the document or in `existing`.
 std::vector<Engine> engines_from_toml(const TomlTable& document, const std::vector<Engine>& existing);

@@ -1,12 +1,9 @@
 #include "harness/variants/own_engine.h"
 
-#include <filesystem>
 #include <string>
-#include <vector>
 
 #include "harness/cells/cells.h"
 #include "harness/images/image_source.h"
-#include "scenes/base/size_text.h"
 #include "scenes/description/file_names.h"
 #include "scenes/description/film_part.h"
 #include "scenes/files/atomic_file.h"
@@ -15,26 +12,6 @@
 #include "scenes/xml/writer.h"
 
 namespace photonproof::inline harness_variants {
-
-Engine own_row(const OwnRender& render) {
-  Engine row;
-  row.name = render.integrator.empty() ? "photonproof" : render.integrator;
-  row.command = {"{photonproof}",
-                 "render",
-                 "{scene}",
-                 "-o",
-                 "{output}",
-                 "--size",
-                 size_text(render.width, render.height),
-                 "--spp",
-                 std::to_string(render.spp),
-                 "--seed",
-                 std::to_string(render.seed),
-                 "--allow-outside",
-                 "--quiet"};
-  if (!render.integrator.empty()) row.command.insert(row.command.end(), {"--integrator", render.integrator});
-  return row;
-}
 
 Rendering render_with(const OwnEngine& engine, const SceneDescription& scene, const OwnRender& render) {
   const ScratchFolder scratch("grade");
@@ -52,7 +29,7 @@ Rendering render_with(const OwnEngine& engine, const SceneDescription& scene, co
                                    .limits = {.seconds = engine.seconds, .memory_mb = 0},
                                    .reused = {Status::ok},
                                    .interrupt = engine.interrupt};
-  const Engine row = own_row(render);
+  const Engine row = own_row(render.integrator);
   const ImageEngine drawn_by{&row, engine.kept ? file_checksum(engine.program) : "", render.more};
   const ImageScene drawn{&file, content_key({{"text", text}}), crop_of(scene.sensor.film, render.width, render.height)};
   const Budget budget{"spp", static_cast<double>(render.spp)};

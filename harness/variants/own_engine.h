@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "harness/images/image_store.h"
-#include "harness/suites/engines.h"
 #include "scenes/description/description.h"
 #include "scenes/images/image.h"
 
@@ -30,9 +29,6 @@ struct OwnRender {
   std::string integrator = "path";     ///< empty: the scene's own, with its parameters
   std::vector<std::string> more = {};  ///< arguments of `photonproof render`
 };
-
-/// The engine row of that render, with `more` added to its command.
-Engine own_row(const OwnRender& render);
 
 /// Linear radiance, with variance. May be called on several threads. Throws InputError when the program fails.
 Rendering render_with(const OwnEngine& engine, const SceneDescription& scene, const OwnRender& render);

@@ -46,8 +46,7 @@ double stated_bias(const Result& result) {
 
 /// Our programs exit with 2 and a reason if they cannot render a scene.
 bool is_refusal(const Result& result, const VerifyEngine& engine) {
-  return result.status == Status::unsupported ||
-         (engine.is_ours && result.status == Status::crash && result.detail.starts_with("exited with 2"));
+  return result.status == Status::unsupported || (engine.is_ours && exited_with(result, 2));
 }
 
 /// The losses that the engine declared, with the scene's own path in place of the copy's.
