@@ -1,5 +1,5 @@
-// Renders batches of one scene by processes of the renderer until the mean has the requested standard error. Finished
-// batches stay in a folder, where the next run continues. A stopped batch continues from its own checkpoint.
+// Renders batches of one scene until their mean has the requested standard error. A batch is an image of an ImageSource
+// (harness/images/image_source.h), removed once the mean has it. A stopped batch continues from its checkpoint.
 #pragma once
 
 #include <atomic>
@@ -10,14 +10,17 @@
 #include <vector>
 
 #include "harness/statistics/batch_means.h"
+#include "harness/suites/suite.h"
+#include "scenes/description/film_part.h"
 
 namespace photonproof::inline harness_references {
 
 struct ReferenceRun {
-  std::filesystem::path program;   ///< the renderer
-  std::vector<std::string> scene;  ///< its file, then the options for reading it (scene_arguments)
-  std::string size;                ///< "WxH" of the film
-  int width = 0, height = 0;       ///< of the images: the scene's crop if it has one
+  std::filesystem::path program;       ///< the renderer
+  SuiteScene scene;                    ///< its file, and the size of the film
+  std::string content;                 ///< the scene's hash
+  std::optional<FilmPart> crop;        ///< the rendered part; empty: the whole film
+  std::vector<std::string> arguments;  ///< for reading the scene
   std::string integrator;
   double standard_error = 0;      ///< to reach (relative_standard_error)
   std::optional<double> seconds;  ///< wall time after which the batch at work is stopped

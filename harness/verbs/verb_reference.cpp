@@ -27,7 +27,7 @@
 #include "scenes/base/json_text.h"
 #include "scenes/base/percent_text.h"
 #include "scenes/base/process.h"
-#include "scenes/base/size_text.h"
+#include "scenes/description/film_part.h"
 #include "scenes/description/output_files.h"
 #include "scenes/description/scene_hash.h"
 #include "scenes/files/checksum.h"
@@ -57,13 +57,13 @@ struct Job {
   SceneDescription scene;
   std::string hash;
   int width, height;  ///< of the film
-  FilmDescription::Crop window;
+  std::optional<FilmPart> crop;
   fs::path program, folder;
   fs::path cached() const { return folder / "reference.exr"; }
   /// The batches' mean and variance, in their place in the film.
   Rendering rendering(const BatchMeans& means) const {
     Rendering mean = means.rendering();
-    if (scene.sensor.film.crop) mean.place = {window.x, window.y, width, height};
+    if (crop) mean.place = crop->place;
     return mean;
   }
 };
@@ -72,13 +72,13 @@ Job job_of(const ReferenceArguments& arguments) {
   SceneDescription scene = load_scene(arguments.scene);
   const std::string hash = scene_hash(scene);
   const int width = scene.sensor.film.width, height = scene.sensor.film.height;
-  const FilmDescription::Crop window = scene.sensor.film.window();
+  const std::optional<FilmPart> crop = crop_of(scene.sensor.film, width, height);
   return {arguments,
           std::move(scene),
           hash,
           width,
           height,
-          window,
+          crop,
           fs::read_symlink("/proc/self/exe"),
           cached_reference_folder(hash, width, height)};
 }
@@ -153,10 +153,14 @@ ReferenceProgress render(const Job& job, const std::string& integrator, double s
   version.add(version_line().data(), version_line().size());
   ReferenceRun run;
   run.program = job.program;
-  run.scene = scene_arguments(job.arguments.scene);
-  run.size = size_text(job.width, job.height);
-  run.width = job.window.width;
-  run.height = job.window.height;
+  run.scene.name = "scene";
+  run.scene.path = job.arguments.scene.path;
+  run.scene.width = job.width;
+  run.scene.height = job.height;
+  run.content = job.hash;
+  run.crop = job.crop;
+  run.arguments = scene_arguments(job.arguments.scene);
+  run.arguments.erase(run.arguments.begin());  // the file
   run.integrator = integrator;
   run.standard_error = standard_error;
   run.seconds = seconds;
