@@ -40,8 +40,9 @@ double step_of(const Lines& lines, int line) {
   return middle_of(std::move(steps));
 }
 
-/// Black lines of which a few neighbours are not black.
+/// Black lines beside which the picture is hardly black: a dark part of a picture has black lines by chance.
 std::vector<int> black_lines(const Lines& lines) {
+  constexpr double most_black = 0.2;
   std::vector<double> share;
   for (int line = 0; line < lines.count(); ++line) share.push_back(black_share(lines, line));
   std::vector<int> found;
@@ -53,7 +54,8 @@ std::vector<int> black_lines(const Lines& lines) {
       if (line + d < lines.count()) after = std::min(after, share[static_cast<std::size_t>(line + d)]);
     }
     const bool first = line < 2, last = line >= lines.count() - 2;
-    if ((before < 0.6 || first) && (after < 0.6 || last) && std::min(before, after) < 0.6) found.push_back(line);
+    if ((before < most_black || first) && (after < most_black || last) && std::min(before, after) < most_black)
+      found.push_back(line);
   }
   // The surroundings of a scene may be black: lines at the image's edge alone are no seam.
   if (std::all_of(found.begin(), found.end(), [&](int line) { return line < 2 || line >= lines.count() - 2; }))

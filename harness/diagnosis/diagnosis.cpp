@@ -13,7 +13,6 @@
 #include "harness/diagnosis/pictures/comparison.h"
 #include "harness/diagnosis/pictures/picture_changes.h"
 #include "harness/diagnosis/places.h"
-#include "harness/diagnosis/whole_picture.h"
 
 namespace photonproof::inline harness_diagnosis {
 namespace {
@@ -31,11 +30,12 @@ bool as_expected_size(const Image& submitted, const SceneKnowledge& knowledge, s
   return false;
 }
 
-/// A finding if the picture is much nearer to another scene's picture than to this one's.
-std::optional<Finding> other_scene(const Comparison& comparison, const SceneKnowledge& knowledge, double own) {
+/// A finding if the picture is another scene's picture up to noise. `own`: the excess over this scene's picture.
+std::optional<Finding> other_scene(const Comparison& comparison, const SceneKnowledge& knowledge, double own,
+                                   double least) {
   for (const auto& [name, image] : knowledge.other_images) {
     const double other = comparison.total(resized(image, comparison.width(), comparison.height()));
-    if (other < 0.15 * own)
+    if (other < std::min(least, 0.15 * own))
       return Finding{"other-scene",
                      "same image as " + name + "'s",
                      "the scene asked for is not heeded, or an image left from another run was taken",
@@ -90,14 +90,15 @@ class Search {
   std::vector<Finding> pattern() { return unnamed(faint_pattern(guess_, knowledge_, comparison_)); }
 
  private:
-  /// Probes and pictures with mistakes are rendered only where no turned picture explains everything.
+  /// Probes and pictures with mistakes are rendered only where no turned picture explains everything. Exchanged
+  /// channels do not suffice: in a grey room they look like exchanged walls.
   std::vector<Candidate> candidates_now() {
     std::vector<Candidate> candidates;
     add_arrangements(guess_, comparison_, left_, candidates);
-    const bool turned = std::any_of(candidates.begin(), candidates.end(), [&](const Candidate& c) {
-      return c.guess.turn + c.guess.channels > 0 && c.left < std::max(least(), 0.02 * left_);
-    });
-    if (turned) return candidates;
+    const auto best = std::min_element(candidates.begin(), candidates.end(),
+                                       [](const Candidate& a, const Candidate& b) { return a.left < b.left; });
+    if (best != candidates.end() && best->guess.turn > 0 && best->left < std::max(least(), 0.02 * left_))
+      return candidates;
     guess_.light = unclamped(knowledge_);
     candidates.clear();
     add_arrangements(guess_, comparison_, left_, candidates);
@@ -126,10 +127,16 @@ class Search {
     if (best == fits.end() || best->mismatch > most_mismatch) return std::nullopt;
     if (best->candidate->left * best->candidate->handicap > nearly_all * left_) return std::nullopt;
     const bool has_rival = std::any_of(fits.begin(), fits.end(), [&](const Fit& other) {
-      return other.mismatch < rival * best->mismatch && !says_all_of(*other.candidate, *best->candidate);
+      const bool near = other.mismatch < rival * best->mismatch || look_alike(*best->candidate, *other.candidate);
+      return near && !says_all_of(*other.candidate, *best->candidate);
     });
-    if (has_rival) return std::nullopt;
+    if (has_rival || !best->candidate->named) return std::nullopt;
     return *best->candidate;
+  }
+
+  /// In a grey room, exchanged channels look like exchanged walls. The walls are rendered, so they fit less well.
+  static bool look_alike(const Candidate& best, const Candidate& other) {
+    return best.findings.front().kind == "channels-swapped" && other.findings.front().kind == "walls-swapped";
   }
 
   /// Whether a candidate includes all findings of another: it is no rival, but the same with something added.
@@ -223,13 +230,11 @@ std::vector<Finding> diagnose(const Image& submitted, const SceneKnowledge& know
   Search search(submitted, knowledge, comparison,
                 breakage.has_fireflies ? 6 : 1);  // fireflies take their light from the compared pixels
   if (search.at_first() > search.least())
-    if (std::optional<Finding> other = other_scene(comparison, knowledge, search.at_first())) return {*other};
+    if (std::optional<Finding> other = other_scene(comparison, knowledge, search.at_first(), search.least()))
+      return {*other};
   findings = search.run();
   if (findings.empty() && breakage.findings.empty())
     if (std::optional<Finding> lights = find_dark_lights(submitted, knowledge)) findings.push_back(*lights);
-  // Noise explains a picture only where nothing else is wrong with it.
-  if (findings.empty() && breakage.findings.empty())
-    if (std::optional<Finding> noise = find_noise(comparison, knowledge)) findings.push_back(*noise);
   const bool other_view = std::any_of(findings.begin(), findings.end(), [](const Finding& f) {
     return (f.kind == "shifted" || f.kind == "field-of-view") && f.explained > 0.3;
   });

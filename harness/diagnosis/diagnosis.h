@@ -57,7 +57,6 @@ struct Landmark {
 struct SceneKnowledge {
   Image reference;                ///< Linear; may be brighter than white.
   std::optional<Image> variance;  ///< Variance of the reference.
-  std::optional<Image> baseline;  ///< One render by the program that the author began with.
   std::optional<float> white;     ///< The value at which the submitted picture is clamped.
   Lazy<SceneLight> light;
   std::vector<WhatIf> what_ifs;

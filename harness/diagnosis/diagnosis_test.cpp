@@ -320,6 +320,16 @@ const std::vector<Defect>& other_defects() {
        [](const Image& i, const K& k) { return plus(plus(i, probe(k, "indirect"), -1), probe(k, "caustic"), -1); }},
       {"photon_scale", "course-1", "caustic-energy", "caustic",
        [](const Image& i, const K& k) { return plus(i, probe(k, "caustic"), 4); }},
+      {"brighter_by_a_third", "course-1", "differs", "", [](const Image& i, const K&) { return times(i, 1.35f); }},
+      {"dark_by_a_third", "cornell-spheres", "differs", "", [](const Image& i, const K&) { return times(i, 0.67f); }},
+      {"walls_like_channels", "course-1", "differs|walls-swapped", "",
+       [](const Image&, const K&) {
+         return changed("course-1", [](SceneDescription& s) { std::swap(s.shapes[4].bsdf, s.shapes[5].bsdf); });
+       }},
+      {"lines_in_a_dark_part", "course-1", "differs", "",
+       [](const Image& i, const K&) {
+         return black_where(i, [](int x, int y) { return y == 50 || (y >= 42 && x % 9 > 3); });
+       }},
       {"seams", "course-1", "seams", "every 12th row",
        [](const Image& i, const K&) {
          Image s = i;
@@ -362,7 +372,7 @@ TEST(Diagnosis, names_what_is_wrong_with_light) { expect_found(light_defects());
 TEST(Diagnosis, names_what_is_wrong_with_objects) { expect_found(object_defects()); }
 TEST(Diagnosis, names_several_defects_at_once_and_odd_ones) { expect_found(other_defects()); }
 
-TEST(Diagnosis, says_nothing_of_right_pictures_but_noise) {
+TEST(Diagnosis, says_nothing_of_right_pictures_but_fireflies) {
   for (const char* scene : {"course-1", "cornell-spheres", "course-2"})
     for (std::uint64_t seed = 1; seed <= 6; ++seed)
       for (const int spp : {4, 16, 48})
@@ -371,9 +381,20 @@ TEST(Diagnosis, says_nothing_of_right_pictures_but_noise) {
           const std::vector<Finding> findings =
               diagnose(as_bytes(submission(scene, seed, spp, integrator)), known(scene));
           for (const Finding& f : findings)
-            EXPECT_TRUE(f.kind == "noise" || f.kind == "fireflies")
+            EXPECT_EQ(f.kind, "fireflies")
                 << scene << " " << integrator << " " << spp << " spp, seed " << seed << text_of(findings);
         }
+}
+
+TEST(Diagnosis, another_scene_is_named_only_where_the_picture_is_it_up_to_noise) {
+  const Image picture = as_bytes(with_channels(submission("course-1", 3), channel_rows()[4]));
+  SceneKnowledge knowledge = known("course-1");
+  const auto first_with = [&](const Image& other) {
+    knowledge.other_images = {{"scene 3", other}};
+    return diagnose(picture, knowledge).front().kind;
+  };
+  EXPECT_EQ(first_with(picture), "other-scene");
+  EXPECT_NE(first_with(with_black(picture, knowledge, "mirror sphere")), "other-scene");
 }
 
 TEST(Diagnosis, renders_only_what_a_picture_needs) {

@@ -33,6 +33,7 @@ struct Candidate {
   std::vector<Finding> findings = {};  ///< Kind, sentence and cause of each change that it makes.
   bool placed = false;                 ///< Its sentence names the place of the difference.
   bool local = false;                  ///< It concerns only the part of the picture that differs.
+  bool named = true;                   ///< It may become a sentence, and is not only a rival of others.
 };
 
 /// The share of the guess's excess that a candidate may leave if it explains nearly all.

@@ -58,7 +58,13 @@ class PictureCandidates {
                     cause_of_scale(factor),
                     {},
                     0};
-    candidates_.push_back({std::move(best), left, 1.14, {finding}});
+    // A smaller factor is as often one part of the light that is too dark or too bright.
+    constexpr double least_named = 1.7;
+    candidates_.push_back({.guess = std::move(best),
+                           .left = left,
+                           .handicap = 1.14,
+                           .findings = {finding},
+                           .named = std::max(factor, 1 / factor) > least_named});
   }
 
   void add_views() {

@@ -248,7 +248,7 @@ class Session {
 
   void flag_all() {
     const FlagContext context{assignment_, scenes_, references_, baseline_work_};
-    SceneFindings findings(assignment_, scenes_, references_, baseline_work_.scenes, own_engine_, options_.progress);
+    SceneFindings findings(assignment_, scenes_, references_, own_engine_, options_.progress);
     for (SubmissionWork& work : works_) flag_images(context, work);
     std::atomic<std::size_t> done{0};
     const std::size_t count = works_.size() * scenes_.size();

@@ -9,9 +9,9 @@
 namespace photonproof::inline harness_grading {
 namespace {
 
-// True for findings about the amount of light, its noise or detail, or paths that end too soon.
+// True for findings about the amount of light, its detail, or paths that end too soon.
 bool may_come_of_parameters(std::string_view kind) {
-  constexpr std::array<std::string_view, 6> kinds{"noise", "fireflies", "coarse", "blurred", "differs", "exposure"};
+  constexpr std::array<std::string_view, 5> kinds{"fireflies", "coarse", "blurred", "differs", "exposure"};
   constexpr std::array<std::string_view, 4> ends{"-energy", "-missing", "brightness", "-black"};
   return std::ranges::find(kinds, kind) != kinds.end() ||
          std::ranges::any_of(ends, [kind](std::string_view end) { return kind.ends_with(end); });

@@ -10,8 +10,8 @@
 namespace photonproof::inline harness_grading {
 namespace {
 
-/// True for findings that a right program's picture never has, other than noise.
-bool is_mistake(const Finding& finding) { return finding.kind != "noise" && finding.kind != "fireflies"; }
+/// True for findings that a right program's picture never has.
+bool is_mistake(const Finding& finding) { return finding.kind != "fireflies"; }
 
 bool is_undecided(const GradedCheck& check) { return check.side == GradedCheck::Side::undecided; }
 bool is_outside(const GradedCheck& check) { return check.side == GradedCheck::Side::outside; }
@@ -37,7 +37,6 @@ SceneKnowledge SceneFindings::found_out(std::size_t scene) const {
   known.reference = reference.rendering.mean;
   known.variance = reference.rendering.variance;
   known.white = white;
-  if (baseline_[scene] && !baseline_[scene]->images.empty()) known.baseline = baseline_[scene]->images.front();
   for (std::size_t other = 0; other < scenes_.size(); ++other)
     if (other != scene && references_[other])
       known.other_images.emplace_back("scene " + scenes_[other].row.name, references_[other]->rendering.mean);

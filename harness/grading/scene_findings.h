@@ -18,13 +18,11 @@ namespace photonproof::inline harness_grading {
 class SceneFindings {
  public:
   SceneFindings(const Assignment& assignment, const std::vector<WorkScene>& scenes,
-                const std::vector<std::optional<SceneReference>>& references,
-                const std::vector<std::optional<SceneWorkGrade>>& baseline, OwnEngine engine,
+                const std::vector<std::optional<SceneReference>>& references, OwnEngine engine,
                 std::function<void(const std::string&)> progress)
       : assignment_(assignment),
         scenes_(scenes),
         references_(references),
-        baseline_(baseline),
         engine_(std::move(engine)),
         progress_(std::move(progress)),
         known_(scenes.size()) {}
@@ -47,7 +45,6 @@ class SceneFindings {
   const Assignment& assignment_;
   const std::vector<WorkScene>& scenes_;
   const std::vector<std::optional<SceneReference>>& references_;
-  const std::vector<std::optional<SceneWorkGrade>>& baseline_;  ///< by scene
   OwnEngine engine_;
   std::function<void(const std::string&)> progress_;
   struct Known {

@@ -46,7 +46,6 @@ constexpr Mistake mistakes[] = {
      "seams between tiles: their last row or column is left out or done twice"},
     {"slanted", "the image is slanted: rows lie further and further aside",
      "rows are stored with another length than they are read with: width, or padding to 4 bytes"},
-    {"noise", "noisy", "too few samples or photons, or they are drawn badly"},
     {"coarse", "the resolution is too low", "rendered smaller and enlarged, or not every pixel is computed"},
     {"blurred", "the image is blurred", "filtered too widely, or rendered smaller and enlarged"},
     {"shifted", "the image is shifted", "pixels' middles are taken half a pixel off, or the camera points elsewhere"},

@@ -52,10 +52,10 @@ TEST_F(HiddenScene, what_the_scene_holds_is_not_given_away) {
 
 TEST_F(HiddenScene, several_mistakes_are_told_once_each) {
   grade.findings = {{"glass-opaque", "", "", 0, 0, 0, 0, 1},
-                    {"noise", "", "", 0, 0, 0, 0, 1},
+                    {"coarse", "", "", 0, 0, 0, 0, 1},
                     {"object-missing", "", "", 0, 0, 0, 0, 1},
                     {"differs", "differs here, not explained: on the cube", "", 0, 0, 0, 0, 1}};
-  EXPECT_EQ(words().sentence, std::string(of_content) + "; noisy");
+  EXPECT_EQ(words().sentence, std::string(of_content) + "; the resolution is too low");
   EXPECT_EQ(words().causes.size(), 2u);
 }
 
@@ -66,7 +66,7 @@ TEST_F(HiddenScene, without_a_finding_it_differs) {
 }
 
 TEST_F(HiddenScene, a_copy_is_told_and_no_hidden_scene_is_named) {
-  grade.findings = {{"noise", "", "", 0, 0, 0, 0, 1}};
+  grade.findings = {{"coarse", "", "", 0, 0, 0, 0, 1}};
   submission.flags = {{"seed-ignored", "", "secret", ""}, {"same-image", "", "secret", "3"}};
   EXPECT_EQ(words().sentence, "the same image as of another scene");
   EXPECT_TRUE(words().causes.empty());
@@ -75,7 +75,7 @@ TEST_F(HiddenScene, a_copy_is_told_and_no_hidden_scene_is_named) {
   submission.flags = {{"copy-of-reference", "", "secret", ""}};
   EXPECT_EQ(words().sentence, "a copy of the reference: it has the reference's own noise");
   submission.flags = {{"copy-of-reference", "", "3", ""}};
-  EXPECT_EQ(words().sentence, "noisy");
+  EXPECT_EQ(words().sentence, "the resolution is too low");
 }
 
 TEST_F(HiddenScene, its_verdict_has_words_of_its_own) {
