@@ -320,9 +320,9 @@ inline void add_cheating_ones(SampleClass& sample) {
       add_wrong(sample, "given", 900, {"copy", "the image that was handed out, bit for bit", "", 0, 0, side, side, 0},
                 [](const Image& image) { return image; }, {"1", "2", "3"});
   given.flags.push_back({"copy-of-given", "scene 1: the image that was handed out, bit for bit", "1", ""});
-  add_wrong(sample, "fewer-photons", 31,
-            {"noise", "noisier than the baseline", "fewer photons than the parameters say", 0, 0, side, side, 0.8},
-            black_lines, {"2", "secret-lamps"});
+  add_wrong(sample, "fewer-pixels", 31,
+            {"coarse", "the resolution is too low", "not every pixel is computed", 0, 0, side, side, 0.8}, black_lines,
+            {"2", "secret-lamps"});
   SubmissionGrade& twin = sample.add("twin-of-quick", 24.1);
   twin.flags.push_back({"same-as-other", "the same noise as quick's images, on 5 scenes", "1", "quick"});
   sample.finish(twin, "right on all 5 scenes; 24.1 times as fast as the baseline");
