@@ -1,16 +1,27 @@
 #!/usr/bin/env bash
 # Counts which scene files load, and what keeps the others from it.
-#   harness/oracles/census.sh [--program PROGRAM] FOLDER...
+#   harness/oracles/census.sh [--program PROGRAM] [--names] FOLDER...
 # Every .xml file whose root is <scene> is planned, not rendered. A file "lacks data" when all its errors are missing
-# files. One line a kind of obstacle: files that have it, files that have it alone, the obstacle.
+# files. One line a kind of obstacle: files that have it, files that have it alone, the obstacle. With --names only the
+# files that do not load.
 set -euo pipefail
 program=build/release/bin/photonproof
-if [ "${1:-}" = --program ]; then
-  program=$2
-  shift 2
-fi
+names=
+while [ $# -gt 0 ]; do
+  case $1 in
+    --program)
+      program=$2
+      shift 2
+      ;;
+    --names)
+      names=yes
+      shift
+      ;;
+    *) break ;;
+  esac
+done
 if [ $# -eq 0 ]; then
-  echo "usage: $0 [--program PROGRAM] FOLDER..." >&2
+  echo "usage: $0 [--program PROGRAM] [--names] FOLDER..." >&2
   exit 2
 fi
 work=$(mktemp -d)
@@ -37,7 +48,7 @@ awk '
     else if (errors > 0 && missing == errors) lacking++
     else refused++
     for (text in own) { having[text]++; if (errors == 1) alone[text]++ }
-    if (!loads) print name ": " errors " obstacles" > list
+    if (!loads && names) print name
     delete own
     loads = notes = errors = missing = 0
   }
@@ -47,6 +58,7 @@ awk '
   /^ERROR / { errors++; text = substr($0, 7); if (text ~ /no such file|Git LFS/) { missing++; text = "a file is missing" } own[text] = 1 }
   END {
     close_file()
+    if (names) exit
     printf "%d scenes: %d load (%d with stand-ins or other notes), %d lack data, %d are refused\n", files, loaded, noted, lacking, refused
     for (text in having) printf "%6d %6d  %s\n", having[text], alone[text], text | "sort -k1,1nr -k2,2nr -k3"
-  }' list="$work/refused" "$work/results"
+  }' names="$names" "$work/results"
