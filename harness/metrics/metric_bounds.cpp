@@ -36,13 +36,24 @@ const MetricRow& metric_named(const std::string& option, const std::string& name
   return *metric;
 }
 
+std::optional<double> share_from_text(std::string_view text) {
+  if (!text.ends_with('%')) return std::nullopt;
+  text.remove_suffix(1);
+  if (text.ends_with(' ')) text.remove_suffix(1);
+  const Parsed<double> percent = parse_number(text);
+  return percent.value ? std::optional(*percent.value / 100) : std::nullopt;
+}
+
 MetricBound parse_bound(const std::string& option, const std::string& text) {
   const std::size_t equals = text.find('=');
   if (equals == std::string::npos)
     throw InputError(option, "expected metric=bound, for example ssim=0.95, got " + in_quotes(text));
   const std::string name = text.substr(0, equals);
   const MetricRow& metric = metric_named(option, name);
-  const Parsed<double> bound = parse_number(std::string_view(text).substr(equals + 1));
+  const std::string_view limit = std::string_view(text).substr(equals + 1);
+  if (name == "differing")
+    if (const auto share = share_from_text(limit)) return {&metric, *share};
+  const Parsed<double> bound = parse_number(limit);
   if (!bound.value) throw InputError(option, "the bound of " + name + " " + bound.problem);
   return {&metric, *bound.value};
 }

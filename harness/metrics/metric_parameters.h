@@ -21,6 +21,7 @@ struct ParameterValues {
   /// Stops applied before the display encoding of psnr, ssim and flip (scale by 2^exposure, clamp to [0,1], sRGB).
   double exposure = 0;
   std::optional<ExposureRange> hdr_exposures{};  ///< Exposures of hdr_flip; empty: from the reference, as in the paper.
+  double more_than = 0.004;  ///< Displayed difference, of 1 for white, from which a pixel counts as differing.
 };
 
 /// A number from `least` to `most`.
@@ -59,6 +60,13 @@ inline constexpr std::array metric_parameters = {
                     .in_gates = "the scene's `hdr_flip_exposures`",
                     .example = "[-2, 1, 4]",
                     .value = RangeParameter{&ParameterValues::hdr_exposures}},
+    MetricParameter{.name = "more_than",
+                    .argument = "DIFFERENCE",
+                    .meaning = "displayed difference that a pixel may have before it counts; 1/255 is 0.00392",
+                    .without = nullptr,
+                    .in_gates = nullptr,
+                    .example = "0.02",
+                    .value = NumberParameter{&ParameterValues::more_than, 0, 1}},
 };
 
 namespace parameter_count {

@@ -106,6 +106,10 @@ std::string ms_ssim_parameters();
 std::unique_ptr<MetricPass> flip_pass(const PairFacts& pair);
 std::string flip_parameters();
 
+// --- metric_differing.cpp: 0 the share of pixels, 1 their number -----------------------------------------------------
+std::unique_ptr<MetricPass> differing_pass(const PairFacts& pair);
+std::string differing_parameters();
+
 // --- metric_hdr_flip.cpp ---------------------------------------------------------------------------------------------
 std::unique_ptr<MetricPass> hdr_flip_pass(const PairFacts& pair);
 std::string hdr_flip_parameters();

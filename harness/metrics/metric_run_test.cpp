@@ -20,7 +20,7 @@ std::map<std::string, double> values_of(const std::vector<Measurement>& measurem
 }
 
 std::map<std::string, double> every_value(const Image& reference, const Image& test, MetricOptions options) {
-  options.also = {"hdr_flip"};
+  options.also = {"hdr_flip", "differing", "differing_pixels"};
   return values_of(measure(reference, test, options));
 }
 

@@ -54,6 +54,9 @@ constexpr std::array kRows = {
     MetricRow{"flip_max", maximum, flip_pass, 4, kGreatestWindow, flip_parameters, nullptr},
     MetricRow{"hdr_flip", maximum, hdr_flip_pass, 0, kWindows, hdr_flip_parameters,
               "the reference is black, and no exposures are given", true, derive_hdr_exposures},
+    MetricRow{"differing", maximum, differing_pass, 0, kPixels, differing_parameters, nullptr, true},
+    MetricRow{"differing_pixels", maximum, differing_pass, 1, shares_of("differing"), differing_parameters, nullptr,
+              true},
 };
 
 /// Checks that every row locates its tiles' error by itself, or by a row that does.

@@ -5,9 +5,12 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <memory>
+#include <utility>
 
 #include "harness/metrics/metric_run.h"
 #include "harness/metrics/test_images.h"
+#include "harness/pixels/display.h"
 #include "harness/pixels/metric_sum.h"
 
 namespace photonproof::inline harness_metrics {
@@ -53,6 +56,51 @@ TEST(Metrics, constant_shift_gives_its_closed_form_in_every_linear_metric) {
   const double relative = (0.0625 / 1.01 + 0.25 / 4.01 + 1 / 0.26) / 3;
   EXPECT_NEAR(value_of("relmse", reference, test), relative, 1e-12);  // 1200 roundings of 1e-16
   EXPECT_NEAR(value_of("relmse_trimmed", reference, test), relative, 1e-12);
+}
+
+/// An image of one 8-bit grey level, as a file of 8 bits is read.
+Image grey_level(int width, int height, int level) {
+  const auto value = static_cast<float>(decode_srgb(level / 255.0));
+  return constant_image(width, height, value, value, value);
+}
+
+double differing(const std::string& name, const Image& reference, const Image& test, double more_than,
+                 std::shared_ptr<const PixelMask> mask = nullptr) {
+  MetricOptions options;
+  options.parameters.more_than = more_than;
+  options.only = {name};
+  options.mask = std::move(mask);
+  return compute_metrics(reference, test, options).at(0).value;
+}
+
+TEST(Metrics, differing_counts_the_pixels_whose_worst_channel_is_off_by_more) {
+  // 15 x 10 pixels of level 100. Three are off by 1, two by 6 levels in one channel each: 2 of 150 by more than 1.
+  const Image reference = grey_level(15, 10, 100);
+  Image test = reference;
+  for (int x = 0; x < 3; ++x) test.pixel(x, 4)[0] = static_cast<float>(decode_srgb(101 / 255.0));
+  test.pixel(7, 7)[1] = static_cast<float>(decode_srgb(94 / 255.0));
+  test.pixel(14, 9)[2] = static_cast<float>(decode_srgb(106 / 255.0));
+  EXPECT_EQ(differing("differing_pixels", reference, test, 1 / 255.0), 2);
+  EXPECT_DOUBLE_EQ(differing("differing", reference, test, 1 / 255.0), 2 / 150.0);
+  EXPECT_EQ(differing("differing_pixels", reference, test, 0), 5);
+  EXPECT_EQ(differing("differing_pixels", reference, test, 6 / 255.0), 0);
+  EXPECT_EQ(differing("differing_pixels", reference, test, 5.9 / 255.0), 2);
+  auto mask = std::make_shared<PixelMask>(15, 10);
+  for (int x = 0; x < 15; ++x) mask->set(x, 7);
+  EXPECT_DOUBLE_EQ(differing("differing", reference, test, 1 / 255.0, mask), 1 / 15.0);
+}
+
+// Both are clamped to white: the display shows no difference. Two stops darker, values are 1/2 and 1.
+TEST(Metrics, differing_compares_displayed_values_at_the_exposure) {
+  const Image reference = constant_image(4, 4, 2, 2, 2), test = constant_image(4, 4, 4, 4, 4);
+  MetricOptions options;
+  options.only = {"differing"};
+  EXPECT_EQ(compute_metrics(reference, test, options).at(0).value, 0);
+  options.parameters.exposure = -2;
+  options.parameters.more_than = 1 - encode_srgb(0.5) - 0.01;
+  EXPECT_EQ(compute_metrics(reference, test, options).at(0).value, 1);
+  options.parameters.more_than += 0.02;
+  EXPECT_EQ(compute_metrics(reference, test, options).at(0).value, 0);
 }
 
 TEST(Metrics, one_wrong_pixel_counts_by_its_share_of_the_image) {
@@ -156,8 +204,9 @@ TEST(Metrics, parameters_travel_with_the_numbers) {
   const Image reference = busy_image(161, 161);  // the smallest size at which every metric has a value
   const Image test = busy_image(161, 161, 1, 2);
   std::map<std::string, std::string> parameters;
-  const MetricOptions options{.parameters = {.exposure = -1.5, .hdr_exposures = ExposureRange{-2, 1.5, 3}},
-                              .also = {"hdr_flip"}};
+  const MetricOptions options{
+      .parameters = {.exposure = -1.5, .hdr_exposures = ExposureRange{-2, 1.5, 3}, .more_than = 0.02},
+      .also = {"hdr_flip", "differing", "differing_pixels"}};
   for (const MetricValue& metric : compute_metrics(reference, test, options))
     parameters[metric.name] = metric.parameters;
   EXPECT_EQ(parameters.size(), metric_rows().size());
@@ -171,6 +220,8 @@ TEST(Metrics, parameters_travel_with_the_numbers) {
   EXPECT_EQ(parameters["smape"], "epsilon=0.02");
   EXPECT_EQ(parameters["ms_ssim"], parameters["ssim"] + ", scales=5, weights=0.0448 0.2856 0.3001 0.2363 0.1333");
   EXPECT_EQ(parameters["flip"], "exposure=-1.5, pixels_per_degree=67.0206");
+  EXPECT_EQ(parameters["differing"], "exposure=-1.5, more_than=0.02");
+  EXPECT_EQ(parameters["differing_pixels"], parameters["differing"]);
   EXPECT_EQ(parameters["hdr_flip"], "tone_mapper=ACES, exposures=-2 1.5 3, pixels_per_degree=67.0206");
 }
 
