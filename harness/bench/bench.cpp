@@ -19,6 +19,7 @@
 #include "harness/conclusions/session_quality.h"
 #include "harness/gates/gate_pictures.h"
 #include "harness/gates/independence.h"
+#include "harness/references/suite_scene.h"
 #include "reference/store/reference_store.h"
 #include "scenes/base/edit_distance.h"
 #include "scenes/base/input_error.h"
@@ -69,6 +70,7 @@ class Bench {
     const Timer timer;
     const double own_before = own_cpu_seconds();
     const std::vector<Cell> to_run = choose_cells();
+    add_note_on_opaque();
     if (to_run.empty()) keep_session();
     if (options_.fresh && !to_run.empty()) set_old_record_aside();
     sweep();
@@ -91,6 +93,12 @@ class Bench {
   }
 
  private:
+  void add_note_on_opaque() {
+    std::vector<const SuiteScene*> scenes;
+    for (const SuiteScene& scene : suite_.scenes) scenes.push_back(&scene);
+    if (auto note = note_on_opaque(scenes)) caveats_.push_back(std::move(*note));
+  }
+
   // Engines may use every core unless the suite gives a number of threads.
   Limits limits() const {
     Limits limits = suite_.limits;

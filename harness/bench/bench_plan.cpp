@@ -8,9 +8,8 @@
 #include "harness/bench/correctness.h"
 #include "harness/cells/cells.h"
 #include "harness/images/engine_version.h"
+#include "harness/references/suite_scene.h"
 #include "scenes/description/expect.h"
-#include "scenes/description/scene_hash.h"
-#include "scenes/parser/parser.h"
 
 namespace photonproof::inline harness_bench {
 namespace {
@@ -29,13 +28,6 @@ SceneRecord describe_scene(const SuiteScene& scene, const std::optional<Expect>&
   if (scene.reference) record.reference_label = scene.reference->label();
   if (expect) record.hdr_exposures = expect->hdr_exposures;
   return record;
-}
-
-// A user's scene needs no expectations where the suite gives its exposure.
-std::optional<Expect> read_expectations(const SuiteScene& scene) {
-  const std::string path = expect_path_of(scene.path.string());
-  if (scene.exposure && !fs::exists(path)) return std::nullopt;
-  return read_expect(path);
 }
 
 }  // namespace
@@ -66,15 +58,14 @@ BenchPlan plan_bench(const Suite& suite, const fs::path& program, const ImageSou
     plan.engines.push_back({engine.name, engine.title, version.line, to_string(engine.trust)});
   }
   for (const SuiteScene& scene : suite.scenes) {
-    const SceneDescription description = parse_scene_file(scene.path.string());
-    const auto crop = crop_of(description.sensor.film, scene.width, scene.height);
-    plan.drawn[scene.name] = {&scene, scene_hash(description), crop};
-    const std::optional<Expect>& expect = plan.expectations[scene.name] = read_expectations(scene);
-    plan.scenes.push_back(describe_scene(scene, expect, crop));
+    SceneContent content = content_of(scene);
+    const std::optional<Expect>& expect = plan.expectations[scene.name] = expectations_of(scene);
+    plan.scenes.push_back(describe_scene(scene, expect, content.crop));
+    plan.drawn[scene.name] = {&scene, std::move(content.hash), content.crop};
     if (scene.reference)
       plan.scenes.back().reference_doubt = doubt_of(suite.engine(scene.reference->engine));
     else
-      plan.stored.emplace(scene.name, load_reference(scene.path, scene.width, scene.height));
+      plan.stored.emplace(scene.name, reference_of(scene));
   }
 
   for (PlannedCell& planned : plan.cells) {

@@ -123,8 +123,9 @@ SceneCopies::~SceneCopies() {
 fs::path SceneCopies::of(const SuiteScene& scene, const fs::path& file) {
   const std::lock_guard lock(copying_);
   try {
-    const fs::path real = fs::canonical(file),
-                   folder = fs::canonical(file.has_parent_path() ? file.parent_path() : ".");
+    const fs::path real = fs::canonical(file);
+    const bool is_folder = fs::is_directory(real);
+    const fs::path folder = is_folder ? real : fs::canonical(file.has_parent_path() ? file.parent_path() : ".");
     auto copy = copies_.find(folder);
     if (copy == copies_.end()) {
       const std::string number = copies_.empty() ? "" : "-" + std::to_string(copies_.size() + 1);
@@ -133,6 +134,7 @@ fs::path SceneCopies::of(const SuiteScene& scene, const fs::path& file) {
       FolderCopy(folder, results_folder_).copy(folder, to);
       copy = copies_.emplace(folder, to).first;
     }
+    if (is_folder) return copy->second;
     const fs::path given = copy->second / file.filename();
     if (!fs::exists(given)) give_file(real, given);
     return given;

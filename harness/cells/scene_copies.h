@@ -30,8 +30,8 @@ class SceneCopies {
   SceneCopies(const SceneCopies&) = delete;
   SceneCopies& operator=(const SceneCopies&) = delete;
 
-  /// Path of `file` in the copy; the first call for a scene's folder copies it. May be called on several threads.
-  /// Throws InputError where the folder cannot be copied.
+  /// Path of `file` in the copy, or of the copy where `file` is a folder; the first call for a folder copies it. May be
+  /// called on several threads. Throws InputError where the folder cannot be copied.
   std::filesystem::path of(const SuiteScene& scene, const std::filesystem::path& file);
 
  private:

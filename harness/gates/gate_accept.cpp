@@ -2,10 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdlib>
 
 #include "harness/gates/gate_look.h"
 #include "harness/metrics/metrics.h"
+#include "harness/references/given_reference.h"
+#include "harness/references/suite_scene.h"
 #include "harness/suites/suite_rows.h"
 #include "reference/store/reference_store.h"
 #include "scenes/base/input_error.h"
@@ -27,7 +30,7 @@ std::string trimmed(const std::string& text) {
 
 /// The scene's committed reference, of any version of the scene; empty without a readable one.
 std::optional<StoredReference> committed(const SuiteScene& scene) {
-  const fs::path exr = committed_reference_path(scene.path, scene.width, scene.height);
+  const fs::path exr = committed_reference_path(stored_beside(scene), scene.width, scene.height);
   const fs::path json = fs::path(exr).replace_extension(".json");
   try {
     const Provenance provenance = parse_provenance(read_file(json), json.string());
@@ -47,6 +50,33 @@ std::string difference(const StoredReference& old, const StoredReference& fresh,
   return text;
 }
 
+std::string reason_of(const AcceptOptions& options, const std::string& sentence) {
+  return fmt::format("{} (accepted by {} for gate {}; {})", trimmed(options.reason), options.who, options.gate,
+                     sentence);
+}
+
+/// The engine of the old reference renders as many images as it had, else the gate's engine.
+std::optional<Accepted> accept_by_engine(const GateSuite& suite, const Gate& gate, const AcceptOptions& options) {
+  const SuiteScene& scene = suite.scene(gate.scene);
+  const std::optional<StoredReference> old = committed(scene);
+  const bool has_engine = old && old->provenance.given && old->provenance.given->files.empty() &&
+                          find_named(suite.engines, old->provenance.estimator) != nullptr;
+  EngineImages images{suite.engine(has_engine ? old->provenance.estimator : gate.engine), gate.budget};
+  if (has_engine) images.count = static_cast<int>(std::max<std::uint64_t>(2, old->provenance.given->images));
+  if (has_engine && old->provenance.samples > 0)
+    images.budget = {"spp", static_cast<double>(old->provenance.samples) / images.count};
+  std::optional<MadeReference> made =
+      reference_by_engine(suite, scene, images, {.program = options.program, .interrupt = options.interrupt});
+  if (!made) return std::nullopt;
+  made->provenance.versions.insert(options.versions.begin(), options.versions.end());
+  Accepted accepted;
+  accepted.sentence = old ? difference(*old, {made->rendering, made->provenance, {}}, viewing_of(scene).exposure)
+                          : "there was no reference";
+  accepted.provenance = store_reference_of(scene, *made, reason_of(options, accepted.sentence));
+  accepted.file = committed_reference_path(stored_beside(scene), scene.width, scene.height);
+  return accepted;
+}
+
 }  // namespace
 
 std::optional<Accepted> accept_reference(const GateSuite& suite, const AcceptOptions& options) {
@@ -55,6 +85,7 @@ std::optional<Accepted> accept_reference(const GateSuite& suite, const AcceptOpt
   const Gate* gate = find_named(suite.gates, options.gate);
   if (gate == nullptr) throw InputError("--accept", unknown_name("gate", options.gate, suite.gates));
   const SuiteScene& scene = suite.scene(gate->scene);
+  if (scene.is_opaque()) return accept_by_engine(suite, *gate, options);
   const std::optional<StoredReference> old = committed(scene);
 
   const ScratchFolder scratch("accept");
@@ -85,9 +116,8 @@ std::optional<Accepted> accept_reference(const GateSuite& suite, const AcceptOpt
 
   Accepted accepted;
   accepted.sentence = old ? difference(*old, fresh, viewing_of(scene).exposure) : "there was no reference";
-  accepted.provenance = commit_reference(scene.path, fresh.rendering, fresh.provenance,
-                                         fmt::format("{} (accepted by {} for gate {}; {})", trimmed(options.reason),
-                                                     options.who, gate->name, accepted.sentence));
+  accepted.provenance =
+      commit_reference(scene.path, fresh.rendering, fresh.provenance, reason_of(options, accepted.sentence));
   accepted.file = committed_reference_path(scene.path, scene.width, scene.height);
   return accepted;
 }

@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 
@@ -19,6 +20,7 @@ struct AcceptOptions {
   std::string who;
   std::optional<double> standard_error{};  ///< relative standard error of the new reference; default: the old one's
   const std::atomic<bool>* interrupt = nullptr;
+  std::map<std::string, std::string> versions{};  ///< for a reference that an engine renders
 };
 
 struct Accepted {
@@ -27,6 +29,7 @@ struct Accepted {
   std::string sentence;  ///< compares the new reference with the old
 };
 
+/// The reference of a scene that only an engine reads is rendered by the engine of the old one, else by the gate's.
 /// Empty when interrupted. Throws InputError without a reason, for an unknown gate, and when no reference can be
 /// rendered or committed.
 std::optional<Accepted> accept_reference(const GateSuite& suite, const AcceptOptions& options);

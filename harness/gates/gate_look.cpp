@@ -4,16 +4,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <optional>
 
+#include "harness/gates/unknown_noise.h"
 #include "harness/metrics/metrics.h"
 #include "harness/pixels/repeated_images.h"
 #include "harness/statistics/deviations.h"
 #include "harness/statistics/error_shares.h"
 #include "reference/store/half_rounding.h"
 #include "scenes/base/input_error.h"
-#include "scenes/description/expect.h"
 
 namespace photonproof::inline harness_gates {
 namespace {
@@ -83,6 +82,11 @@ Judgement of_identical(GateVerdict verdict, std::string sentence, const StoredRe
   return judgement;
 }
 
+/// A golden image that states no noise may have any.
+bool expects_noise(const StoredReference& reference) {
+  return has_noise(reference.rendering) || has_unknown_noise(reference.provenance);
+}
+
 std::string all_the_same(const Gate& gate, std::size_t images) {
   return gate.takes_seed ? fmt::format("all {} seeds gave the same image", images)
                          : fmt::format("all {} images are the same and the engine's command has no {{seed}}", images);
@@ -96,7 +100,7 @@ std::optional<Judgement> fault_of_seeds(const Gate& gate, const StoredReference&
   if (std::any_of(images.begin(), images.end(),
                   [&](const Image* image) { return is_copy(reference.rendering, *image); }))
     return without_numbers(GateVerdict::fail, "an image is the reference itself, bit for bit, and not a rendering");
-  if (repeats.different == repeats.images || !has_noise(reference.rendering)) return std::nullopt;
+  if (repeats.different == repeats.images || !expects_noise(reference)) return std::nullopt;
   if (repeats.different > 1) {
     if (repeats.least_difference < least_difference) return std::nullopt;
     return without_numbers(
@@ -127,7 +131,7 @@ Judgement look_at_metric(const Gate& gate, const StoredReference& reference, con
   std::vector<double> values;
   for (const Image* image : images) values.push_back(metric_of(gate, reference, viewing, *image));
   Judgement judgement = look_at_values(gate, values);
-  if (repeats.different == 1 && has_noise(reference.rendering))
+  if (repeats.different == 1 && expects_noise(reference))
     judgement.sentence = all_the_same(gate, repeats.images) + ": " + judgement.sentence;
   if (judgement.verdict != GateVerdict::fail) return judgement;
   judgement.tiles = largest_error_shares(gate.metric, reference.rendering.mean, images, options_for(gate, viewing));
@@ -150,10 +154,11 @@ std::optional<double> worst_whole(const Image& reference, const Image& image) {
 
 Deviations deviations_of(bool unbiased, const Budget& budget, const StoredReference& reference,
                          std::span<const Image* const> images) {
-  const double freedom = static_cast<double>(std::max<std::size_t>(2, reference.provenance.seeds.size()) - 1);
   const std::optional<Image> least = unbiased ? variance_by_reference(budget, reference) : std::nullopt;
-  KnownNoise known{.reference_freedom = freedom, .least_variance = least ? &*least : nullptr};
+  KnownNoise known{.reference_freedom = freedom_of(reference.provenance), .least_variance = least ? &*least : nullptr};
   if (budget.kind == "spp") known.samples = budget.amount;
+  if (has_unknown_noise(reference.provenance))
+    return measure_deviations(with_estimated_noise(reference.rendering, images), images, known);
   return measure_deviations(reference.rendering, images, known);
 }
 
@@ -166,13 +171,6 @@ Judgement look_at(const Gate& gate, const StoredReference& reference, const Para
   const Deviations deviations = deviations_of(gate.unbiased, gate.budget, reference, images);
   if (gate.metric == agreement_metric) return judge_agreement(deviations, {gate.bound, gate.block_bound}, alpha);
   return judge_bias(deviations, gate.metric == block_bias_metric, gate.bound, alpha);
-}
-
-ParameterValues viewing_of(const SuiteScene& scene) {
-  const std::string path = expect_path_of(scene.path.string());
-  if (scene.exposure && !std::filesystem::exists(path)) return {.exposure = *scene.exposure};
-  const Expect expect = read_expect(path);
-  return {.exposure = scene.exposure.value_or(expect.exposure), .hdr_exposures = expect.hdr_exposures};
 }
 
 ParameterValues parameters_of(const Gate& gate, const ParameterValues& viewing) {

@@ -11,10 +11,6 @@
 
 namespace photonproof::inline harness_gates {
 
-/// The parameters that a scene fixes: its exposure from the suite, else its expect.toml, which alone may fix
-/// hdr_exposures. Throws InputError.
-ParameterValues viewing_of(const SuiteScene& scene);
-
 /// The parameters of a gate's metric: the scene's, except those that the gate gives.
 ParameterValues parameters_of(const Gate& gate, const ParameterValues& viewing);
 

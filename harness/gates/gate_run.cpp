@@ -13,7 +13,10 @@
 #include "harness/gates/gate_pictures.h"
 #include "harness/gates/gates_together.h"
 #include "harness/gates/independence.h"
+#include "harness/gates/named_fault.h"
 #include "harness/images/engine_version.h"
+#include "harness/pixels/repeated_images.h"
+#include "harness/references/suite_scene.h"
 #include "scenes/base/input_error.h"
 #include "scenes/description/expect.h"
 
@@ -73,6 +76,7 @@ class Run {
     for (const SuiteScene& scene : suite_.scenes)
       if (std::any_of(chosen.begin(), chosen.end(), [&](const Gate* gate) { return gate->scene == scene.name; }))
         add_scene(scene);
+    add_note_on_opaque(chosen);
     for (const Engine& engine : suite_.engines) {
       if (std::none_of(chosen.begin(), chosen.end(), [&](const Gate* gate) { return gate->engine == engine.name; }))
         continue;
@@ -81,15 +85,20 @@ class Run {
     }
   }
 
+  void add_note_on_opaque(const std::vector<const Gate*>& chosen) {
+    std::vector<const SuiteScene*> scenes;
+    for (const SuiteScene& scene : suite_.scenes)
+      if (std::ranges::any_of(chosen, [&](const Gate* gate) { return gate->scene == scene.name; }))
+        scenes.push_back(&scene);
+    if (auto note = note_on_opaque(scenes)) summary_.results.caveats.push_back(std::move(*note));
+  }
+
   void add_scene(const SuiteScene& scene) {
-    const Image& reference = references_.emplace(scene.name, load_reference(scene.path, scene.width, scene.height))
-                                 .first->second.rendering.mean;
+    const Image& reference = references_.emplace(scene.name, reference_of(scene)).first->second.rendering.mean;
     SceneRecord record;
     record.name = scene.name;
     record.path = scene.given_path;
-    const std::string expect = expect_path_of(scene.path.string());
-    std::optional<Expect>& expected = expectations_[scene.name];
-    if (fs::exists(expect)) expected = read_expect(expect);
+    const std::optional<Expect>& expected = expectations_[scene.name] = expectations_of(scene);
     record.purpose = expected ? expected->purpose : "";
     record.width = reference.width;
     record.height = reference.height;
@@ -190,6 +199,7 @@ class Run {
       break;
     }
     count_images(stream, images.size(), record);
+    name_fault(gate, images, record);
     record.sentence += fmt::format("; {} images of {}", images.size(), gate.budget.label());
     record.regression_only =
         regression_only(suite_.engine(gate.engine), references_.at(gate.scene), expectations_.at(gate.scene));
@@ -197,6 +207,20 @@ class Run {
     add_pictures(gate, images, stream, record);
     if (record.verdict == GateVerdict::pass) keep(acceptance.key, record);
     return record;
+  }
+
+  /// The fault that the images show comes first, unless the sentence states it already.
+  void name_fault(const Gate& gate, std::span<const Image* const> images, GateRecord& record) const {
+    const StoredReference& reference = references_.at(gate.scene);
+    if (record.verdict == GateVerdict::fail && count_repeats(images).different == images.size()) {
+      const std::string& extension = suite_.engine(gate.engine).image_extension;
+      const bool is_display_file = extension != "exr" && extension != "pfm" && extension != "hdr";
+      const auto fault = named_fault(reference.rendering, images, is_display_file);
+      const bool states_gain = record.sentence.starts_with("the whole image is off");
+      if (fault && !(fault->is_gain && states_gain)) record.sentence = fault->sentence + ": " + record.sentence;
+    }
+    if (weighs_noise(gate.metric) && has_unknown_noise(reference.provenance))
+      record.sentence += "; the reference states no noise, which is estimated from neighbouring pixels";
   }
 
   /// The verdict is the kept one; its time and its pictures are from the images drawn now.

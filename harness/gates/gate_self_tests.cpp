@@ -12,6 +12,7 @@
 #include "harness/images/engine_version.h"
 #include "harness/metrics/metrics.h"
 #include "harness/pixels/repeated_images.h"
+#include "harness/references/suite_scene.h"
 #include "scenes/base/faults.h"
 #include "scenes/base/input_error.h"
 
@@ -130,7 +131,7 @@ class SelfTestRun {
     const SuiteScene& scene = suite_.scene(first.scene);
     const EngineVersion version = ask_version(suite_.engine(first.engine), suite_.folder, options_.gates.program);
     if (version.problem) throw InputError(first.engine, *version.problem);
-    Stream stream{first, label, load_reference(scene.path, scene.width, scene.height), viewing_of(scene), version.line};
+    Stream stream{first, label, reference_of(scene), viewing_of(scene), version.line};
     for (std::size_t v = 0; v < test_.variants.size() && !test_.interrupted; ++v) {
       const GateVariant& variant = test_.variants[v];
       if (!applies(variant, suite_.engine(first.engine))) continue;

@@ -2,7 +2,9 @@
 
 #include "harness/gates/gate_look.h"
 #include "harness/gates/gate_mutants.h"
+#include "harness/metrics/metric_bounds.h"
 #include "harness/metrics/metric_rows.h"
+#include "harness/references/suite_scene.h"
 #include "harness/suites/engine_command.h"
 #include "harness/suites/suite_rows.h"
 #include "scenes/description/expect.h"
@@ -69,9 +71,20 @@ std::string metric_from_toml(const TomlTable& table, const SuiteScene& scene) {
   if (metric == "ssim" && std::min(scene.width, scene.height) < least_ssim_side)
     throw table.error("metric", "ssim needs images of at least 11 x 11 pixels");
   if (metric == "hdr_flip" && !table.has("exposures") && !viewing_of(scene).hdr_exposures)
-    throw table.error("metric", "hdr_flip needs the scene to pin its exposures: 'hdr_flip_exposures' in " +
-                                    expect_path_of(scene.path.string()) + ", or 'exposures' here");
+    throw table.error("metric", scene.is_opaque()
+                                    ? "hdr_flip needs 'exposures' here"
+                                    : "hdr_flip needs the scene to pin its exposures: 'hdr_flip_exposures' in " +
+                                          expect_path_of(scene.path.string()) + ", or 'exposures' here");
   return metric;
+}
+
+/// A number, or for shares of pixels also "0.1 %".
+double bound_from_toml(const TomlTable& table, const std::string& metric) {
+  if (weighs_noise(metric)) return positive(table, "bound", 1);
+  if (metric != "differing" || !table.is_string("bound")) return table.number("bound");
+  const auto share = share_from_text(table.string("bound"));
+  if (!share) throw table.error("bound", "'bound' must be a number, such as 0.001, or a text such as \"0.1 %\"");
+  return *share;
 }
 
 /// The gate of one scene and engine of the row. `several`: the row has more than one of either.
@@ -82,6 +95,7 @@ Gate gate_from_toml(const TomlTable& table, const GateSuite& suite, const Gate& 
   gate.engine = engine.name;
   gate.takes_seed = mentions(engine.command, "{seed}");
   gate.unbiased = engine.trust == Trust::unbiased;
+  expect_readable(table, table.has("engines") ? "engines" : "engine", scene, engine);
   const std::string budget = table.string("budget");
   if (const auto problem = budget_problem(budget, engine)) throw table.error("budget", *problem);
   gate.budget = *budget_from_text(budget);
@@ -90,7 +104,7 @@ Gate gate_from_toml(const TomlTable& table, const GateSuite& suite, const Gate& 
   if (gate.metric == agreement_metric && engine.trust == Trust::biased)
     throw table.error("metric", "engine '" + engine.name +
                                     "' has a known error, which agreement would find; bound it by bias or block_bias");
-  gate.bound = weighs_noise(gate.metric) ? positive(table, "bound", 1) : table.number("bound");
+  gate.bound = bound_from_toml(table, gate.metric);
   if (gate.metric == agreement_metric)
     gate.block_bound = table.has("block_bound") ? positive(table, "block_bound", 10) : block_over_whole * gate.bound;
   const std::string place = gate.scene + "/" + gate.engine;
@@ -144,7 +158,9 @@ std::vector<const Gate*> gates_named(const GateSuite& suite, const std::string& 
 }
 
 GateSuite read_gate_suite(const std::filesystem::path& file) {
-  const TomlTable document = TomlTable::parse(read_file(file, max_suite_bytes), file.string());
+  const std::string text = read_file(file, max_suite_bytes);
+  expect_required_keys(TomlTable::parse(text, file.string()));
+  const TomlTable document = TomlTable::parse(text, file.string());
   GateSuite suite;
   suite.file = file;
   suite.folder = file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");

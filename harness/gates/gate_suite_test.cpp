@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "harness/gates/gate_look.h"
+#include "harness/references/suite_scene.h"
 #include "scenes/files/test_folder.h"
 
 namespace photonproof::inline harness_gates {

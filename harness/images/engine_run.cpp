@@ -48,7 +48,9 @@ EngineCommand command_of(const EngineRun& run) {
   // A bare name would be looked up on PATH.
   if (!values.photonproof.has_parent_path()) values.photonproof = fs::path(".") / values.photonproof;
   values.suite = short_path(run.suite_folder);
-  values.scene = short_path(own);
+  // A word is no path, unless the engine has a file of its own for the scene.
+  const bool is_word = scene.reader == SceneReader::engine_by_word && own == scene.path;
+  values.scene = is_word ? own : short_path(own);
   values.scene_name = scene.name;
   values.output = run.image();
   values.stats = run.image().replace_filename(stats_name);
@@ -60,7 +62,7 @@ EngineCommand command_of(const EngineRun& run) {
   if (has_fault(Fault::quarter_budget)) values.budget.amount /= 4;
   EngineCommand command;
   command.typed = fill_command(engine.command, values);
-  if (run.scene.copies != nullptr) {
+  if (run.scene.copies != nullptr && !is_word) {
     values.scene = short_path(run.scene.copies->of(scene, own));
     command.own_folder = short_path(own.has_parent_path() ? own.parent_path() : fs::path(".")).string();
     command.given_folder = values.scene.parent_path().string();

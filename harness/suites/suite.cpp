@@ -13,20 +13,21 @@ namespace {
 
 namespace fs = std::filesystem;
 
-Cell reference_from_toml(const TomlTable& scene, const std::string& scene_name, const std::vector<Engine>& engines) {
+Cell reference_from_toml(const TomlTable& scene, const SuiteScene& row, const std::vector<Engine>& engines) {
   const TomlTable table = scene.table("reference");
   const Engine& engine = known_engine(table, engines);
+  expect_readable(table, "engine", row, engine);
   const std::string budget = table.string("budget");
   if (const auto problem = budget_problem(budget, engine)) throw table.error("budget", *problem);
   const std::int64_t seed = table.integer("seed");
   if (seed < 0) throw table.error("seed", "'seed' must not be negative");
   table.expect_no_other_keys();
-  return {scene_name, engine.name, *budget_from_text(budget), static_cast<std::uint64_t>(seed)};
+  return {row.name, engine.name, *budget_from_text(budget), static_cast<std::uint64_t>(seed)};
 }
 
 SuiteScene scene_from_toml(const TomlTable& table, const Suite& suite) {
   SuiteScene scene = scene_row(table, suite);
-  if (table.has("reference")) scene.reference = reference_from_toml(table, scene.name, suite.engines);
+  if (table.has("reference")) scene.reference = reference_from_toml(table, scene, suite.engines);
   if (table.has("target_relmse")) {
     scene.target_relmse =
         table.is_array("target_relmse") ? table.numbers("target_relmse") : std::vector{table.number("target_relmse")};
@@ -61,6 +62,9 @@ void add_run(const TomlTable& run, Suite& suite, std::set<std::string>& labels) 
     if (seeds[i] < 0) throw run.error("seeds", i, "a seed must not be negative");
   const std::vector<std::string> scenes = scenes_of_run(run, suite);
   run.expect_no_other_keys();
+  for (const Engine* engine : engines)
+    for (const std::string& scene : scenes)
+      expect_readable(run, run.has("engines") ? "engines" : "engine", suite.scene(scene), *engine);
   const auto add = [&](const Cell& cell) {
     const std::optional<Cell>& reference = suite.scene(cell.scene).reference;
     if (reference && cell.label() == reference->label())
@@ -145,7 +149,9 @@ std::optional<Budget> budget_from_text(const std::string& text) {
 }
 
 Suite read_suite(const fs::path& file) {
-  const TomlTable document = TomlTable::parse(read_file(file, max_suite_bytes), file.string());
+  const std::string text = read_file(file, max_suite_bytes);
+  expect_required_keys(TomlTable::parse(text, file.string()));
+  const TomlTable document = TomlTable::parse(text, file.string());
   Suite suite;
   suite.file = file;
   suite.folder = file.has_parent_path() ? file.parent_path() : fs::path(".");

@@ -20,16 +20,26 @@ struct Limits {
   int threads = 0;                 ///< for the engine to use; 0: every core
 };
 
+/// The program that reads a scene.
+enum class SceneReader {
+  photonproof,    ///< this program, too: an XML of our subset
+  engine,         ///< the engine alone; `path` is a file or folder of any format
+  engine_by_word  ///< the engine alone; `path` is no file but a word or number that it knows
+};
+
 struct SuiteScene {
   std::string name;
-  std::filesystem::path path;  ///< openable from the current folder
+  std::filesystem::path path;  ///< openable from the current folder, or a word
   std::string given_path;      ///< as written in the suite
   int width = 0, height = 0;
   std::optional<double> exposure;   ///< stops; without it the scene's expect.toml gives the exposure
   std::optional<Cell> reference{};  ///< empty: the stored one
   std::vector<double> target_relmse{};
   std::map<std::string, std::filesystem::path> files{};  ///< by engine: what {scene} is instead of `path`
+  SceneReader reader = SceneReader::photonproof;
+  std::filesystem::path suite_file{};  ///< the suite that has this row
 
+  bool is_opaque() const { return reader != SceneReader::photonproof; }
   const std::filesystem::path& file_for(const std::string& engine_name) const;
   /// Content of the engine's own file for the scene, which its cells depend on besides the scene itself; empty without
   /// one. Throws InputError when it cannot be read.

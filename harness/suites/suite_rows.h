@@ -48,6 +48,13 @@ int bounded_integer(const TomlTable& table, const std::string& key, std::int64_t
 /// Letters, digits, '_', '.' and '-', so that it can name a file.
 std::string file_name(const TomlTable& table, const std::string& key);
 
+/// The error of a scene that cannot be parsed, with the key at its end that leaves the file to the engine.
+InputError with_reader_advice(const InputError& error, const std::string& scene_name,
+                              const std::filesystem::path& suite_file);
+
+/// Throws InputError at `key` where our own integrators would have to render a scene that only an engine reads.
+void expect_readable(const TomlTable& table, const std::string& key, const SuiteScene& scene, const Engine& engine);
+
 /// The existing file that the key's path leads to from `folder`.
 std::filesystem::path existing_file(const TomlTable& table, const std::string& key,
                                     const std::filesystem::path& folder);
@@ -55,8 +62,15 @@ std::filesystem::path existing_file(const TomlTable& table, const std::string& k
 /// The optional table [limits].
 Limits limits_from_toml(const TomlTable& document);
 
-/// Name, path, files, size and exposure of a scene for `suite`. The suite knows its engines and has no scene of that
-/// name yet.
+/// The side of a scene's image, in pixels, where the suite does not state it and our program cannot read the scene.
+inline constexpr int usual_side = 256;
+
+/// Throws one InputError that names all keys that rows of the suite lack, if at least two are missing. `document` is
+/// parsed for this alone, since the table records the keys that were asked for.
+void expect_required_keys(const TomlTable& document);
+
+/// Name, path, reader, files, size and exposure of a scene for `suite`. The suite knows its engines and has no scene of
+/// that name yet. A size that is missing is that of the scene's film, or `usual_side`.
 SuiteScene scene_row(const TomlTable& table, const SuiteCommon& suite);
 
 /// The engine that the key "engine" names.

@@ -125,7 +125,7 @@ TEST_F(SuiteFile, mistakes_are_named_with_their_place) {
             "s.toml:1:8: error: 'name' may hold letters, digits, '_', '.' and '-' and not start with '.'");
   EXPECT_EQ(with("[[run]]", "sets = 1\n[[run]]"),
             "s.toml:16:1: error: unknown key 'sets'; known here: exposure, files, height, "
-            "name, path, reference, target_relmse, width");
+            "name, path, reads, reference, target_relmse, width");
   EXPECT_EQ(with("[[scene]]", "[limits]\nsecs = 1\n[[scene]]"),
             "s.toml:4:1: error: unknown key 'secs'; known here: memory_mb, seconds, threads");
   EXPECT_EQ(with("[[scene]]", "[limits]\nseconds = 0\n[[scene]]"), "s.toml:4:11: error: 'seconds' must be positive");
@@ -176,6 +176,77 @@ TEST(BudgetText, only_kind_and_positive_amount_is_a_budget) {
   for (const char* text :
        {"", "spp", "spp=", "=4", "spp=-1", "spp=0", "spp=4x", "spp= 4", "SPP=4", "spp=inf", "spp=nan"})
     EXPECT_FALSE(budget_from_text(text).has_value()) << text;
+}
+
+constexpr const char* mine =
+    "[[engine]]\nname = 'mine'\ntitle = 'm'\ncommand = ['mine', '{scene}', '{output}']\nbudgets = ['spp']\n"
+    "trust = 'external'\n";
+constexpr const char* run_of_mine = "[[run]]\nengine = 'mine'\nbudgets = ['spp=1']\nseeds = [1]\n";
+
+TEST_F(SuiteFile, scenes_that_only_the_engine_reads_are_files_folders_words_and_numbers) {
+  put("ball.pbrt", "no XML");
+  std::filesystem::create_directories(folder_ / "room");
+  const auto scene_of = [&](const std::string& row) {
+    return read(std::string(head) + mine + "[[scene]]\nname = 's'\n" + row + run_of_mine).scenes.at(0);
+  };
+  struct Case {
+    const char* row;
+    SceneReader reader;
+    std::filesystem::path path;
+  };
+  for (const auto& [row, reader, path] :
+       {Case{"path = 'ball.pbrt'\n", SceneReader::engine, folder_ / "ball.pbrt"},
+        {"path = 'room'\n", SceneReader::engine, folder_ / "room"},
+        {"path = 'a.xml'\nreads = 'engine'\n", SceneReader::engine, folder_ / "a.xml"},
+        {"path = 7\n", SceneReader::engine_by_word, "7"},
+        {"path = 'cornell'\nreads = 'engine'\n", SceneReader::engine_by_word, "cornell"}}) {
+    const SuiteScene scene = scene_of(row);
+    EXPECT_EQ(scene.reader, reader) << row;
+    EXPECT_EQ(scene.path, path) << row;
+    EXPECT_EQ(scene.width, 256) << row;
+    EXPECT_EQ(scene.height, 256) << row;
+  }
+  put("ours", "<?xml version='1.0'?>\n<scene version='3.0.0'/>");
+  EXPECT_EQ(scene_of("path = 'ours'\nwidth = 8\nheight = 6\n").reader, SceneReader::photonproof);
+  EXPECT_EQ(scene_of("path = 'a.xml'\nwidth = 8\nheight = 6\n").reader, SceneReader::photonproof);
+}
+
+TEST_F(SuiteFile, a_scene_without_a_size_has_that_of_its_film) {
+  put("film.xml",
+      "<scene version=\"3.0.0\"><sensor type=\"perspective\"><film type=\"hdrfilm\">"
+      "<integer name=\"width\" value=\"40\"/><integer name=\"height\" value=\"30\"/></film></sensor>"
+      "<emitter type=\"constant\"><rgb name=\"radiance\" value=\"1\"/></emitter></scene>");
+  const SuiteScene scene =
+      read(std::string(head) + "[[scene]]\nname = 's'\npath = 'film.xml'\nheight = 12\n").scenes.at(0);
+  EXPECT_EQ(scene.width, 40);
+  EXPECT_EQ(scene.height, 12);
+}
+
+TEST_F(SuiteFile, a_missing_file_is_never_taken_for_a_word) {
+  const auto of = [&](const std::string& row) {
+    return error(std::string(head) + mine + "[[scene]]\nname = 's'\n" + row + run_of_mine);
+  };
+  EXPECT_EQ(of("path = 'ball.pbrt'\n"), "s.toml:11:8: error: no such file: ball.pbrt");
+  EXPECT_EQ(of("path = 'ball.pbrt'\nreads = 'engine'\n"), "s.toml:11:8: error: no such file: ball.pbrt");
+  EXPECT_EQ(of("path = 'cornell'\n"),
+            "s.toml:11:8: error: no such file: cornell; reads = \"engine\" beside it makes it "
+            "a word that only the engine knows");
+  EXPECT_EQ(of("path = 'a.xml'\nreads = 'me'\n"),
+            "s.toml:12:9: error: 'reads' is \"engine\", where only the engine reads the scene; not 'me'");
+}
+
+TEST_F(SuiteFile, our_own_engines_are_refused_for_scenes_that_they_cannot_read) {
+  EXPECT_EQ(error(std::string(head) +
+                  "[[scene]]\nname = 's'\npath = 7\n[[run]]\nengine = 'path'\nbudgets = ['spp=1']\nseeds = [1]\n"),
+            "s.toml:7:10: error: engine 'path' is part of this program, which cannot read scene 's' (7); name an "
+            "[[engine]] that reads it");
+}
+
+TEST_F(SuiteFile, all_missing_keys_are_told_at_once) {
+  EXPECT_EQ(
+      error("name = 'n'\n[[engine]]\nname = 'mine'\n[[scene]]\nname = 's'\n[[run]]\nengine = 'mine'\n"),
+      "s.toml:1:1: error: these keys are missing: 'title' of the suite; 'title', 'command', 'budgets', 'trust' of "
+      "[[engine]] in line 2; 'path' of [[scene]] in line 4; 'budgets', 'seeds' of [[run]] in line 6");
 }
 
 }  // namespace

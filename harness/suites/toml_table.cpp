@@ -152,6 +152,10 @@ bool TomlTable::is_array(const std::string& key) const { return view_->node(key)
 
 bool TomlTable::is_string(const std::string& key) const { return view_->node(key).is_string(); }
 
+bool TomlTable::is_integer(const std::string& key) const { return view_->node(key).is_integer(); }
+
+int TomlTable::line() const { return static_cast<int>(view_->table->source().begin.line); }
+
 std::vector<std::string> TomlTable::keys() const {
   std::vector<std::string> names;
   for (const auto& [key, value] : *view_->table) names.emplace_back(key.str());

@@ -34,12 +34,15 @@ class TomlTable {
   bool has(const std::string& key) const;
   bool is_array(const std::string& key) const;
   bool is_string(const std::string& key) const;
+  bool is_integer(const std::string& key) const;
   std::vector<std::string> keys() const;  ///< all keys of the table
   /// An array of tables; empty when the key is absent.
   std::vector<TomlTable> tables(const std::string& key) const;
 
   /// Throws for the first key that none of the above has read, and names those that were.
   void expect_no_other_keys() const;
+
+  int line() const;  ///< where the table begins, from 1
 
   /// An error at the value of `key`, at element `index` of the array that is its value, or at the table itself.
   InputError error(const std::string& key, const std::string& message) const;

@@ -216,6 +216,7 @@ int accept(const GateArguments& arguments, const GateSuite& suite) {
   options.who = name_of_user();
   options.standard_error = arguments.standard_error;
   options.interrupt = &interrupt_flag();
+  options.versions = program_versions();
   const std::optional<Accepted> accepted = accept_reference(suite, options);
   if (!accepted) return 130;
   std::printf("reference: %s\n%s\n", accepted->file.c_str(), accepted->sentence.c_str());

@@ -16,6 +16,7 @@
 #include "harness/verbs/engine_output.h"
 #include "harness/verbs/interrupt.h"
 #include "harness/verbs/scene_options.h"
+#include "harness/verbs/suite_reference.h"
 #include "harness/verbs/usage/name_hints.h"
 #include "harness/verbs/usage/verb_usage.h"
 #include "harness/verbs/verbs.h"
@@ -50,6 +51,7 @@ struct ReferenceArguments {
   bool fresh = false;
   bool json = false;
   bool quiet = false;
+  SuiteReferenceArguments suite;
 };
 
 struct Job {
@@ -338,11 +340,37 @@ int reference_of(const ReferenceArguments& arguments) {
 }
 
 int make_reference(const ReferenceArguments& arguments) {
+  if (arguments.suite.any() || fs::path(arguments.scene.path).extension() == ".toml")
+    return make_suite_reference(arguments.scene.path, arguments.suite, arguments.reason, arguments.json,
+                                arguments.quiet);
   try {
     return reference_of(arguments);
   } catch (const NoWitnessYet& late) {
     return unfinished(late.progress);
   }
+}
+
+void add_suite_options(CLI::App& verb, SuiteReferenceArguments& arguments) {
+  begin_option_group(verb, "A suite's scene: its reference is stored beside it, or in references/ beside the suite");
+  verb.add_option("--scene", arguments.scene, "name of the scene in the suite (default: the only one)")
+      ->type_name("NAME");
+  auto* from = verb.add_option("--from", arguments.from, "golden image, or several whose mean is the reference")
+                   ->type_name("IMAGE...");
+  verb.add_option("--variance", arguments.variance, "image of the mean's variance, linear (default: unknown)")
+      ->needs(from)
+      ->type_name("IMAGE");
+  verb.add_option("--transfer", arguments.transfer,
+                  "encoding of the images' values (default: srgb for 8 and 16 bits, else linear)")
+      ->needs(from)
+      ->check(one_of({"srgb", "gamma22", "linear"}));
+  verb.add_option("--engine", arguments.engine, "engine of the suite that renders the reference")
+      ->excludes(from)
+      ->type_name("NAME");
+  verb.add_option("--budget", arguments.budget, "budget of one image (default: that of the scene's first gate or run)")
+      ->type_name("KIND=AMOUNT");
+  verb.add_option("--images", arguments.images, "images of independent seeds that --engine renders")
+      ->check(CLI::Range(2, 65536))
+      ->capture_default_str();
 }
 
 void add_reference_options(CLI::App& verb, ReferenceArguments& arguments) {
@@ -384,7 +412,9 @@ void add_reference_verb(CLI::App& program, int& exit_code) {
                 .group = render_group,
                 .purpose = "Render a scene's mean image to a stated standard error, with its provenance",
                 .examples = {"photonproof reference scenes/library/cornell/scene.xml --standard-error 0.01 -o mean.exr",
-                             "photonproof reference scenes/library/cornell/scene.xml --size 64x64 --commit"},
+                             "photonproof reference scenes/library/cornell/scene.xml --size 64x64 --commit",
+                             "photonproof reference gates.toml --scene ball --from golden.exr",
+                             "photonproof reference gates.toml --scene ball --engine mine --budget spp=256"},
                 .exit_codes = {done,
                                {1, "the standard error was not reached in time; the same command continues"},
                                {2, "bad input or usage, or the two estimators disagree"},
@@ -393,6 +423,7 @@ void add_reference_verb(CLI::App& program, int& exit_code) {
                 .notes = "The standard error is sqrt(mean of variance / (mean^2 + 0.01)) over pixels and channels."});
   add_scene_options(*verb, arguments->scene);
   add_reference_options(*verb, *arguments);
+  add_suite_options(*verb, arguments->suite);
   verb->callback([arguments, &exit_code] { exit_code = make_reference(*arguments); });
 }
 

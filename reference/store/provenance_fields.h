@@ -26,6 +26,17 @@ void describe(V& v, ReferenceWitness& r) {
 }
 
 template <class V>
+void describe(V& v, GivenImages& r) {
+  v.record("given images", "the images of a reference that none of our own integrators rendered");
+  v.field("noise", r.noise, {.says = "images (from their differences), stated (by a variance image) or unknown"});
+  v.field("images", r.images, {.says = "that the mean is of"});
+  v.field("files", r.files, {.says = "names without folders; none where an engine rendered the images"});
+  v.field("checksums", r.checksums, {.says = "one a file"});
+  v.maybe("transfer", r.transfer, {.says = "the function that values were decoded from"});
+  v.maybe("command", r.command, {.says = "of the engine's first image"});
+}
+
+template <class V>
 void describe(V& v, Provenance& r) {
   v.record("photonproof reference", "Where a stored reference comes from: the JSON beside its EXR.");
   v.version("format", 1);
@@ -43,6 +54,7 @@ void describe(V& v, Provenance& r) {
   v.field("seeds", r.seeds, {.says = "one an independent batch"});
   v.maybe("bias", r.bias, {.says = "relative, as the estimator knows it itself"});
   v.maybe("witness", r.witness);
+  v.maybe("given", r.given);
   v.maybe("definitions", r.definitions, {.says = "name=value of -D"});
 }
 

@@ -176,10 +176,12 @@ bool has_good_commit(const fs::path& scene_file, const std::string& hash, int wi
   }
 }
 
-Provenance commit_reference(const fs::path& scene_file, const Rendering& rendering, Provenance provenance,
-                            const std::string& reason) {
+namespace {
+
+/// Puts a reference beside the scene; see commit_reference.
+Provenance put_beside(const fs::path& scene_file, const Rendering& rendering, Provenance provenance,
+                      const std::string& reason, ReferenceSamples samples) {
   const auto [width, height] = whole_size(rendering);
-  check_committable(scene_file, width, height);
   const fs::path exr = committed_reference_path(scene_file, width, height);
   std::optional<Provenance> old;
   bool good = false;
@@ -194,13 +196,27 @@ Provenance commit_reference(const fs::path& scene_file, const Rendering& renderi
   if (good && old->date == provenance.date && old->seeds == provenance.seeds) return *old;  // there already
   if (good && reason.empty()) throw InputError(exr.string(), reason_is_missing);
   if (old) provenance.acceptances = old->acceptances;
-  const Provenance written = write_reference(exr, rendering, provenance, ReferenceSamples::halves);
+  const Provenance written = write_reference(exr, rendering, provenance, samples);
   if (!old) return written;
   const std::string why = !reason.empty()                            ? reason
                           : old->scene_hash != provenance.scene_hash ? "the scene has changed"
                                                                      : "the old one was damaged";
   provenance.acceptances.push_back({utc_now(), why, facts(*old), facts(written)});
-  return write_reference(exr, rendering, provenance, ReferenceSamples::halves);
+  return write_reference(exr, rendering, provenance, samples);
+}
+
+}  // namespace
+
+Provenance commit_reference(const fs::path& scene_file, const Rendering& rendering, Provenance provenance,
+                            const std::string& reason) {
+  const auto [width, height] = whole_size(rendering);
+  check_committable(scene_file, width, height);
+  return put_beside(scene_file, rendering, std::move(provenance), reason, ReferenceSamples::halves);
+}
+
+Provenance store_given_reference(const fs::path& scene_file, const Rendering& rendering, Provenance provenance,
+                                 const std::string& reason) {
+  return put_beside(scene_file, rendering, std::move(provenance), reason, ReferenceSamples::floats);
 }
 
 double relative_standard_error(const Rendering& rendering) {

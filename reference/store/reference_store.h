@@ -46,6 +46,10 @@ Provenance write_reference(const std::filesystem::path& exr, const Rendering& re
 Provenance commit_reference(const std::filesystem::path& scene_file, const Rendering& rendering, Provenance provenance,
                             const std::string& reason);
 
+/// The same for an image of any size, in floats: what somebody gives is stored as it is.
+Provenance store_given_reference(const std::filesystem::path& scene_file, const Rendering& rendering,
+                                 Provenance provenance, const std::string& reason);
+
 /// Throws the errors of commit_reference that depend on the size alone.
 void check_committable(const std::filesystem::path& scene_file, int width, int height);
 
