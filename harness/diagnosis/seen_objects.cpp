@@ -155,6 +155,8 @@ Look look_of(const SceneDescription& scene, const ShapeDescription& shape) {
                                [](const PlasticDescription&) { return Look::other; },
                                [](const RoughPlasticDescription&) { return Look::other; },
                                [](const PhongDescription&) { return Look::other; },
+                               [](const PrincipledDescription&) { return Look::other; },
+                               [](const PrincipledThinDescription&) { return Look::other; },
                                [](const LayeredDescription&) { return Look::other; },
                                [](const NullDescription&) { return Look::other; },
                                [](const WrappingBsdf auto&) { return Look::other; }},

@@ -21,6 +21,8 @@ import sys
 from interfaces import Facets, check_facets, diffuse_reflectance, direction, dot, fresnel, reflection_shape, refracted
 from interfaces import simpson, unit
 
+import principled
+
 AIR, BK7, POLYPROPYLENE = 1.000277, 1.5046, 1.49  # of the manual of Mitsuba 3, table of named indices
 
 
@@ -314,10 +316,11 @@ class Layered:
 
 KINDS = {"diffuse": Diffuse, "conductor": Conductor, "roughconductor": RoughConductor, "dielectric": Dielectric,
          "thindielectric": ThinDielectric, "roughdielectric": RoughDielectric, "plastic": Plastic,
-         "roughplastic": RoughPlastic, "phong": Phong}
+         "roughplastic": RoughPlastic, "phong": Phong, **principled.KINDS}
 NAMED = {"diamond": 2.419, "water": 1.333, "air": AIR, "bk7": BK7}
 PAIRS = [((0, 0), (0, 0)), ((30, 40), (30, 220)), ((30, 40), (45, 200)), ((60, 100), (60, 290)), ((60, 100), (20, 300)),
          ((80, -20), (75, 165)), ((89, 10), (85, 185)), ((89, 10), (40, 120)), ((0, 0), (80, 70)), ((20, 0), (25, 90))]
+BEHIND = [((180 - o[0], o[1]), (180 - i[0], i[1])) for o, i in PAIRS[1:6]]
 STEEP = [(0, 0), (30, 50), (60, 100), (80, 200), (89, 300)]
 TINTS = {"specular_reflectance": (0.9, 0.7, 0.5)}
 GLASS = dict(TINTS, specular_transmittance=(0.4, 0.6, 0.8))
@@ -368,6 +371,7 @@ CASES = [
      {"distribution": "beckmann", "alpha": 0.4, "sample_visible": False, **METAL}),
     ("layered", OILED, "phong", {"exponent": 12.0, "diffuse_reflectance": (0.1, 0.3, 0.2),
                                  "specular_reflectance": (0.7, 0.4, 0.5)}),
+    *principled.CASES,
 ]
 
 
@@ -404,8 +408,12 @@ def transmitted_pairs(b):
 def rows(kind, p, b):
     pairs = [] if kind in ("conductor", "dielectric", "thindielectric") else list(PAIRS)
     if kind == "roughdielectric":
-        pairs += [((180 - o[0], o[1]), (180 - i[0], i[1])) for o, i in PAIRS[1:6]] + list(transmitted_pairs(b))
-    has_pdf = kind in ("roughconductor", "roughdielectric") or BLACK in (p.get("diffuse_reflectance"),
+        pairs += BEHIND + list(transmitted_pairs(b))
+    if kind == "principled" and b.glass > 0:
+        pairs += BEHIND + list(transmitted_pairs(b))
+    if kind == "principledthin":
+        pairs += BEHIND + [(o, (180 - i[0], i[1])) for o, i in PAIRS] + [((180 - o[0], o[1]), i) for o, i in PAIRS]
+    has_pdf = kind in ("roughconductor", "roughdielectric", "principled", "principledthin") or BLACK in (p.get("diffuse_reflectance"),
                                                                          p.get("specular_reflectance"))
     for pair in pairs if hasattr(b, "eval") else []:
         o, i = map(direction, pair)

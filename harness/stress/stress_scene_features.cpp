@@ -109,6 +109,8 @@ void add_plain_bsdfs(std::vector<NamedScene>& scenes) {
   add("plastic", PlasticDescription{});
   add("roughplastic", of_roughness<RoughPlasticDescription>(0.2));
   add("phong", PhongDescription{});
+  add("principled", PrincipledDescription{.metallic = 0.4, .clearcoat = 0.6});
+  add("principledthin", PrincipledThinDescription{.spec_trans = 0.4, .diff_trans = 0.5});
 }
 
 void add_wrapping_bsdfs(std::vector<NamedScene>& scenes, const fs::path& assets) {

@@ -53,6 +53,7 @@ struct PluginColours {
   void direction(const char*, const Vec3d&, const char*) {}
   void transform(const char*, const Transform&, const char*) {}
   void roughness(const Scalar&, const Scalar&) {}
+  void eta_or_specular(const std::optional<double>&, double) {}
   void sun(const Vec3d&, const Transform&, const char*) {}
   void bsdf(BsdfIndex, const char*) {}
   void two_bsdfs(BsdfIndex, BsdfIndex, const char*) {}

@@ -86,12 +86,28 @@ class PassMaker {
     return glass;
   }
 
+  Model burley(PrincipledDescription d) const {
+    if (!kept_.gloss) return diffuse(d.base_color);
+    if (!kept_.mirrors) d.metallic = 0.0;
+    if (!kept_.glass) d.spec_trans = 0.0;
+    d.base_color = albedo(d.base_color);
+    return d;
+  }
+  Model burley(PrincipledThinDescription d) const {
+    if (!kept_.gloss) return diffuse(d.base_color);
+    if (!kept_.glass) d.spec_trans = d.diff_trans = 0.0;
+    d.base_color = albedo(d.base_color);
+    return d;
+  }
+
   Model changed(const BsdfDescription& bsdf) const {
     return std::visit(
         Overloaded{[&](const DiffuseDescription& d) { return diffuse(d.reflectance); },
                    [&](const PlasticDescription& d) { return coated(d); },
                    [&](const RoughPlasticDescription& d) { return coated(d); },
                    [&](const PhongDescription& d) { return coated(d); },
+                   [&](const PrincipledDescription& d) { return burley(d); },
+                   [&](const PrincipledThinDescription& d) { return burley(d); },
                    [&](const LayeredDescription& d) { return kept_.gloss ? Model(d) : nested(d.base); },
                    [&](const ConductorDescription& d) { return metal(d); },
                    [&](const RoughConductorDescription& d) { return metal(d); },
@@ -142,6 +158,12 @@ Holds what_is_in(const SceneDescription& scene) {
                           [&](const PlasticDescription&) { holds.gloss = true; },
                           [&](const RoughPlasticDescription&) { holds.gloss = true; },
                           [&](const PhongDescription&) { holds.gloss = true; },
+                          [&](const PrincipledDescription& d) {
+                            holds.diffuse = holds.gloss = true;
+                            holds.mirrors |= d.metallic != Scalar(0.0);
+                            holds.glass |= d.transmits();
+                          },
+                          [&](const PrincipledThinDescription&) { holds.diffuse = holds.gloss = holds.glass = true; },
                           [&](const LayeredDescription&) { holds.gloss = true; },
                           [&](const ConductorDescription&) { holds.mirrors = true; },
                           [&](const RoughConductorDescription&) { holds.mirrors = true; },

@@ -40,6 +40,12 @@ TEST(cycles_refuses, roughness_that_differs_by_place_or_direction) {
             "2:22:" + kNot + "phong whose exponent is a texture; a number can be written");
 }
 
+TEST(cycles_refuses, principled_bsdfs) {
+  const std::string why = ": Cycles' principled shader has other lobes than Burley's of 2012 and 2015";
+  EXPECT_EQ(refusal(ball("<bsdf type='principled'/>")), "2:22:" + kNot + "a principled BSDF" + why);
+  EXPECT_EQ(refusal(ball("<bsdf type='principledthin'/>")), "2:22:" + kNot + "a thin principled BSDF" + why);
+}
+
 TEST(cycles_refuses, coats_and_maps) {
   EXPECT_EQ(refusal(ball("<bsdf type='roughplastic'/>")), "2:22:" + kNot + "a rough plastic: " + kCoat);
   EXPECT_EQ(refusal(ball("<bsdf type='layered'><bsdf type='diffuse'/></bsdf>")),

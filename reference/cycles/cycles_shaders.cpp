@@ -72,6 +72,10 @@ struct Side {
     return "g.phong(" + format_number(*exponent) + ", " + colour_py(script, d.diffuse_reflectance) + ", " +
            colour_py(script, d.specular_reflectance) + ")";
   }
+  std::string operator()(const PrincipledDescription&) const { refuse(std::string("a principled BSDF: ") + burley); }
+  std::string operator()(const PrincipledThinDescription&) const {
+    refuse(std::string("a thin principled BSDF: ") + burley);
+  }
   std::string operator()(const BumpMapDescription&) const {
     refuse("a bump map: Cycles perturbs normals by another rule");
   }
@@ -83,6 +87,7 @@ struct Side {
     refuse("something that transmits, in the place of one side of a surface");
   }
 
+  static constexpr const char* burley = "Cycles' principled shader has other lobes than Burley's of 2012 and 2015";
   static constexpr const char* coat =
       "what enters its coat depends on the light's direction, and the colour of Cycles' diffuse reflection on the "
       "viewer's alone";

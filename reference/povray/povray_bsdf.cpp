@@ -73,6 +73,12 @@ struct Check {
     refuse(scene, bsdf,
            "phong: POV-Ray's is without the cosine of the light's incidence and answers light_sources only");
   }
+  void operator()(const PrincipledDescription&) const {
+    refuse(scene, bsdf, std::string("a principled BSDF: ") + kGlossy);
+  }
+  void operator()(const PrincipledThinDescription&) const {
+    refuse(scene, bsdf, std::string("a thin principled BSDF: ") + kGlossy);
+  }
   void operator()(const PlasticDescription& d) const {
     require_constant(scene, bsdf, d.diffuse_reflectance);
     require_constant(scene, bsdf, d.specular_reflectance);

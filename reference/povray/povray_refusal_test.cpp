@@ -33,6 +33,14 @@ TEST(povray_refuses, what_is_glossy) {
                 "phong: POV-Ray's is without the cosine of the light's incidence and answers light_sources only");
 }
 
+TEST(povray_refuses, principled_bsdfs) {
+  const std::string why =
+      ": POV-Ray's glossy highlights answer light_sources only and are no microfacets, and its "
+      "mirrors are smooth";
+  EXPECT_EQ(refusal(ball("<bsdf type='principled'/>")), "2:22:" + kNot + "a principled BSDF" + why);
+  EXPECT_EQ(refusal(ball("<bsdf type='principledthin'/>")), "2:22:" + kNot + "a thin principled BSDF" + why);
+}
+
 TEST(povray_refuses, coats_and_maps) {
   EXPECT_EQ(refusal(ball("<bsdf type='plastic'/>")), "no refusal");
   EXPECT_EQ(refusal(ball("<bsdf type='plastic'><texture name='diffuse_reflectance' type='checkerboard'/></bsdf>")),

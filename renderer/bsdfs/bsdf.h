@@ -16,6 +16,8 @@
 #include "renderer/bsdfs/bsdf_null.h"
 #include "renderer/bsdfs/bsdf_phong.h"
 #include "renderer/bsdfs/bsdf_plastic.h"
+#include "renderer/bsdfs/bsdf_principled.h"
+#include "renderer/bsdfs/bsdf_principledthin.h"
 #include "renderer/bsdfs/bsdf_roughconductor.h"
 #include "renderer/bsdfs/bsdf_roughdielectric.h"
 #include "renderer/bsdfs/bsdf_roughplastic.h"
@@ -27,9 +29,10 @@
 namespace photonproof::inline renderer_bsdfs {
 
 /// One row a BSDF.
-using BsdfKinds = KindList<DiffuseBsdf, ConductorBsdf, DielectricBsdf, NullBsdf, RoughConductorBsdf, ThinDielectricBsdf,
-                           RoughDielectricBsdf, PlasticBsdf, RoughPlasticBsdf, PhongBsdf, LayeredDiffuseBsdf,
-                           LayeredConductorBsdf, LayeredRoughConductorBsdf, LayeredPhongBsdf>;
+using BsdfKinds =
+    KindList<DiffuseBsdf, ConductorBsdf, DielectricBsdf, NullBsdf, RoughConductorBsdf, ThinDielectricBsdf,
+             RoughDielectricBsdf, PlasticBsdf, RoughPlasticBsdf, PhongBsdf, LayeredDiffuseBsdf, LayeredConductorBsdf,
+             LayeredRoughConductorBsdf, LayeredPhongBsdf, PrincipledBsdf, PrincipledGlassBsdf, PrincipledThinBsdf>;
 
 /// A BSDF of the scene, as the host sees it.
 using Bsdf = BsdfKinds::Variant;

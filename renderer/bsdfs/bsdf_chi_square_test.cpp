@@ -71,6 +71,12 @@ std::vector<Case> cases() {
                             RoughConductorDescription{d, 0.15, 0.15, true, {}, one}),
                    50});
   }
+  for (const auto& [alpha, degrees] : {std::pair(0.09, 50.0), {0.5, 80.0}, {0.3, 130.0}}) {
+    std::vector<NamedBsdf> principled;
+    test::add_principled(principled, alpha);
+    for (const NamedBsdf& named : principled)
+      if (degrees < 90 || lets_light_through(named.bsdf)) all.push_back({named.name, named.bsdf, degrees});
+  }
   return all;
 }
 

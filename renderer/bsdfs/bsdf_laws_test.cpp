@@ -17,13 +17,35 @@ namespace {
 using test::compiled;
 using test::NamedBsdf;
 
-bool transmits(const Bsdf& bsdf) { return std::holds_alternative<RoughDielectricBsdf<float>>(bsdf); }
+bool transmits(const Bsdf& bsdf) { return has_smooth(bsdf) && lets_light_through(bsdf); }
+
+/// Index of refraction behind the surface over that in front of it.
+float index_behind(const Bsdf& bsdf) {
+  if (const auto* glass = std::get_if<RoughDielectricBsdf<float>>(&bsdf)) return glass->eta;
+  if (const auto* glass = std::get_if<PrincipledGlassBsdf<float>>(&bsdf)) return glass->eta;
+  return 1;
+}
+
+/// Whether Mitsuba's rule about the backs of facets ends a thin principled BSDF's glass for one order of the directions
+/// only (bsdf_principledthin.h).
+bool breaks_symmetry(const Bsdf& bsdf, const Vec3f& a, const Vec3f& b) {
+  if (!std::holds_alternative<PrincipledThinBsdf<float>>(bsdf) || a.z * b.z > 0) return false;
+  const Vec3f m = half_vector(a, Vec3f(b.x, b.y, -b.z));
+  return (dot(m, b) < 0) != (dot(Vec3f(m.x, m.y, -m.z), a) < 0);
+}
+
+/// Whether a principled BSDF has Burley's base. Its highlight dims it by no more than a falloff of its own, so the sum
+/// may exceed 1, as in Mitsuba.
+bool has_burleys_base(const std::string& name) {
+  return name.find("principled") != std::string::npos && !name.starts_with("principled metal") &&
+         !name.starts_with("principled glass") && !name.starts_with("principledthin glass");
+}
 
 /// All materials except those whose facets are sampled by area: their weights have no bound.
 std::vector<NamedBsdf> furnace_bsdfs() {
   std::vector<NamedBsdf> all;
   for (const NamedBsdf& named : test::white_bsdfs({1e-4, 0.1, 0.5, 1.0}))
-    if (named.name.find("by area") == std::string::npos) all.push_back(named);
+    if (named.name.find("by area") == std::string::npos && !has_burleys_base(named.name)) all.push_back(named);
   return all;
 }
 
@@ -229,10 +251,8 @@ TEST(bsdf_laws, directions_may_be_swapped) {
       const bool through = transmits(named.bsdf) && i % 2 == 0;
       const Vec3f a = direction(true), b = direction(!through);
       float scale = 1;  // factor that makes the second direction's eval comparable
-      if (through) {
-        const float eta = std::get<RoughDielectricBsdf<float>>(named.bsdf).eta;
-        scale = 1 / (eta * eta);
-      }
+      if (through) scale = 1 / (index_behind(named.bsdf) * index_behind(named.bsdf));
+      if (breaks_symmetry(named.bsdf, a, b)) continue;
       const float forth = max_component(test::eval(named.bsdf, a, b));
       const float back = max_component(test::eval(named.bsdf, b, a)) * scale;
       EXPECT_NEAR(forth, back, 2e-3f * std::max(forth, back) + 1e-6f) << named.name << (through ? " through" : "");

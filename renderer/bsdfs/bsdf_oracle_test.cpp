@@ -191,6 +191,13 @@ std::string spelled_out(const std::string& xml) {
       {"roughdielectric", rough + visible + glass},
       {"plastic", plastic},
       {"roughplastic", rough + plastic},
+      {"principled", grey("base_color", "0.5") + number("roughness", "0.5") + number("anisotropic", "0") +
+                         number("metallic", "0") + number("spec_trans", "0") + number("specular", "0.5") +
+                         number("spec_tint", "0") + number("sheen", "0") + number("flatness", "0") +
+                         number("clearcoat", "0") + number("diffuse_reflectance_sampling_rate", "1") +
+                         number("main_specular_sampling_rate", "1")},
+      {"principledthin", grey("base_color", "0.5") + number("roughness", "0.5") + number("spec_trans", "0") +
+                             number("sheen", "0") + number("flatness", "0") + number("diff_trans", "0")},
       {"phong", number("exponent", "30") + grey("diffuse_reflectance", "0.5") + grey("specular_reflectance", "0.2")}};
   const auto element = [](const std::string& kind, const std::string& inside) {
     return "<bsdf type='" + kind + "'>" + inside + "</bsdf>";
@@ -218,7 +225,7 @@ TEST(bsdf_oracle, every_parameter_is_seen) {
     }
   }
   EXPECT_GT(seen, 250u);
-  EXPECT_EQ(with_defaults, 9u);
+  EXPECT_EQ(with_defaults, 11u);
 }
 
 /// A texture's value must have the effect that the same value has in the scene. For every parameter that may be a
@@ -237,7 +244,8 @@ TEST(bsdf_oracle, textures_are_the_parameters_they_are_named_for) {
             std::string(a_case.xml)
                 .replace(static_cast<std::size_t>(it->position()), static_cast<std::size_t>(it->length()), texture));
       } catch (const InputError&) {
-        EXPECT_TRUE(name == "eta" || name == "k" || name.ends_with("ior") || name == "sigma_a" || name == "thickness" ||
+        EXPECT_TRUE(name == "eta" || name == "k" || name == "specular" || name.ends_with("sampling_rate") ||
+                    name.ends_with("ior") || name == "sigma_a" || name == "thickness" ||
                     (name == "alpha" && a_case.xml.find("'roughplastic'") != std::string::npos))
             << name;
         continue;

@@ -76,16 +76,32 @@ class Compiler {
                                  }},
                       scene_.bsdfs[d.base.value].model);
   }
+  Bsdf operator()(const PrincipledDescription& d) {
+    return d.transmits() ? Bsdf(principled<PrincipledGlassBsdf>(d)) : principled<PrincipledBsdf>(d);
+  }
+  Bsdf operator()(const PrincipledThinDescription& d) {
+    using Record = PrincipledThinBsdf<float>;
+    return Record{principled_base(d),
+                  number(d.anisotropic, offsetof(Record, anisotropic)),
+                  number(d.spec_trans, offsetof(Record, spec_trans)),
+                  number(d.spec_tint, offsetof(Record, spec_tint)),
+                  number(d.eta, offsetof(Record, raw_eta)),
+                  number(d.diff_trans, offsetof(Record, diff_trans)),
+                  static_cast<float>(d.diffuse_rate),
+                  static_cast<float>(d.specular_rate),
+                  static_cast<float>(d.transmitted_rate),
+                  static_cast<float>(d.diffuse_transmitted_rate)};
+  }
   Bsdf operator()(const WrappingBsdf auto&) { refuse("this BSDF only works by others and has no record of its own"); }
 
  private:
   [[noreturn]] void refuse(const std::string& why) const { throw InputError(scene_.where(bsdf_.loc), why); }
   /// The facet that sends light from one direction to the other follows from their difference. Single precision keeps
   /// no digits of it where the indices are a few rounding steps apart.
-  void refuse_equal(double int_ior, double ext_ior) const {
+  void refuse_equal(double int_ior, double ext_ior,
+                    const char* why = "int_ior and ext_ior must differ by 5e-7 of each other at least") const {
     constexpr float least = 4 * 0x1p-23f;
-    if (std::abs(ratio(int_ior, ext_ior) - 1) < least)
-      refuse("int_ior and ext_ior must differ by 5e-7 of each other at least");
+    if (std::abs(ratio(int_ior, ext_ior) - 1) < least) refuse(why);
   }
   static float ratio(double int_ior, double ext_ior) { return static_cast<float>(int_ior / ext_ior); }
 
@@ -149,6 +165,37 @@ class Compiler {
             colour(d.diffuse_reflectance, offsetof(Record, raw_diffuse)),
             colour(d.specular_reflectance, offsetof(Record, raw_specular))};
   }
+  template <class Principled>
+  PrincipledBase<float> principled_base(const Principled& d) {  // the record's first words
+    using Record = PrincipledBase<float>;
+    return {colour(d.base_color, offsetof(Record, colour)), number(d.roughness, offsetof(Record, roughness)),
+            number(d.flatness, offsetof(Record, flatness)), number(d.sheen, offsetof(Record, sheen)),
+            number(d.sheen_tint, offsetof(Record, sheen_tint))};
+  }
+  template <template <class> class Kind>
+  Kind<float> principled(const PrincipledDescription& d) {
+    using Record = Kind<float>;
+    const float eta = principled_eta(d);
+    if (d.transmits())
+      refuse_equal(static_cast<double>(eta), 1, "glass needs an index that differs from 1 by 5e-7 at least");
+    return {principled_base(d),
+            number(d.anisotropic, offsetof(Record, anisotropic)),
+            number(d.metallic, offsetof(Record, metallic)),
+            number(d.spec_trans, offsetof(Record, spec_trans)),
+            number(d.spec_tint, offsetof(Record, spec_tint)),
+            number(d.clearcoat, offsetof(Record, clearcoat)),
+            number(d.clearcoat_gloss, offsetof(Record, clearcoat_gloss)),
+            eta,
+            static_cast<float>(d.diffuse_rate),
+            static_cast<float>(d.specular_rate),
+            static_cast<float>(d.clearcoat_rate)};
+  }
+  /// Glass of the same index as its surroundings is not plausible: Mitsuba takes the least values below instead.
+  static float principled_eta(const PrincipledDescription& d) {
+    if (d.eta) return d.transmits() && *d.eta == 1 ? 1.001f : static_cast<float>(*d.eta);
+    const double specular = d.transmits() && d.specular == 0 ? 1e-3 : d.specular;
+    return static_cast<float>(2 / (1 - std::sqrt(0.08 * specular)) - 1);
+  }
   template <template <class> class Base>
   Bsdf layered(const LayeredDescription& d, const Base<float>& base) {
     using Record = LayeredBsdf<float, Base>;
@@ -176,6 +223,8 @@ bool is_anisotropic(const SceneDescription& scene, BsdfIndex bsdf) {
           return is_anisotropic(scene, model.base);
         else if constexpr (requires { model.alpha_u; })
           return model.alpha_u != model.alpha_v;
+        else if constexpr (requires { model.anisotropic; })
+          return model.anisotropic != Scalar(0.0);
         else
           return false;
       },

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstring>
 
 #include "renderer/bsdfs/test_bsdfs.h"
@@ -69,6 +70,24 @@ TEST(compile_bsdf, textures_write_where_their_parameters_are) {
             written);
 }
 
+TEST(compile_bsdf, principled_glass_is_a_kind_of_its_own) {
+  const auto compiled = [](const PrincipledDescription& d) { return compile(d).record; };
+  EXPECT_FALSE(lets_light_through(compiled({})));
+  EXPECT_FALSE(lets_light_through(compiled({.metallic = 1.0})));
+  EXPECT_TRUE(lets_light_through(compiled({.spec_trans = 0.1})));
+  EXPECT_TRUE(lets_light_through(compiled({.spec_trans = texture})));
+  // R0 = 0.08 x 0.5 is (0.5 / 2.5)^2.
+  EXPECT_NEAR(std::get<PrincipledBsdf<float>>(compiled({})).eta, 1.5, 1e-6);
+  // Mitsuba's values in place of those that glass cannot have.
+  const auto eta_of = [&](const PrincipledDescription& d) {
+    return std::get<PrincipledGlassBsdf<float>>(compiled(d)).eta;
+  };
+  EXPECT_EQ(eta_of({.spec_trans = 0.1, .eta = 1.0}), 1.001f);
+  EXPECT_NEAR(eta_of({.spec_trans = 0.1, .specular = 0}), 2 / (1 - std::sqrt(8e-5)) - 1, 1e-6);
+  EXPECT_EQ(std::get<PrincipledBsdf<float>>(compiled({.eta = 1.0})).eta, 1.0f);
+  EXPECT_THROW(compiled({.spec_trans = 0.1, .eta = 1 + 1e-9}), InputError);
+}
+
 TEST(compile_bsdf, refuses_what_has_no_record) {
   const RgbD one(1.0);
   EXPECT_THROW(compile(RoughDielectricDescription{MicrofacetDistribution::ggx, 0.1, 0.1, true, 1.3, 1.3, one, one}),
@@ -89,6 +108,12 @@ TEST(compile_bsdf, knows_what_is_anisotropic_under_a_lacquer_too) {
   scene.bsdfs.push_back({{}, "", RoughConductorDescription{MicrofacetDistribution::ggx, 0.1, 0.2, true, {}, one}});
   scene.bsdfs.push_back({{}, "", LayeredDescription{{0}, 1.5, 1.0, RgbD(0.0), 1, one}});
   scene.bsdfs.push_back({{}, "", PlasticDescription{}});
+  scene.bsdfs.push_back({{}, "", PrincipledDescription{.anisotropic = 0.1}});
+  scene.bsdfs.push_back({{}, "", PrincipledDescription{}});
+  scene.bsdfs.push_back({{}, "", PrincipledThinDescription{.anisotropic = texture}});
+  EXPECT_TRUE(is_anisotropic(scene, {3}));
+  EXPECT_FALSE(is_anisotropic(scene, {4}));
+  EXPECT_TRUE(is_anisotropic(scene, {5}));
   EXPECT_TRUE(is_anisotropic(scene, {0}));
   EXPECT_TRUE(is_anisotropic(scene, {1}));
   EXPECT_FALSE(is_anisotropic(scene, {2}));

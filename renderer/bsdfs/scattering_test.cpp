@@ -129,7 +129,12 @@ std::vector<Material> materials() {
           {"phong", PhongDescription{20.0, RgbD(0.4), RgbD(0.5)}, false},
           {"dielectric", DielectricDescription{1.5, 1.0, one, one, {}}, true},
           {"roughdielectric",
-           RoughDielectricDescription{MicrofacetDistribution::ggx, 0.4, 0.4, true, 1.5, 1.0, one, one}, true}};
+           RoughDielectricDescription{MicrofacetDistribution::ggx, 0.4, 0.4, true, 1.5, 1.0, one, one}, true},
+          {"principled", PrincipledDescription{.base_color = RgbD(0.7), .roughness = 0.6}, false},
+          {"principled glass", PrincipledDescription{.roughness = 0.7, .spec_trans = 0.7, .eta = 1.4}, true},
+          {"principledthin",
+           PrincipledThinDescription{.base_color = RgbD(0.7), .roughness = 0.8, .spec_trans = 0.6, .diff_trans = 0.8},
+           true}};
 }
 
 bool in_twosided(Normals n) { return n == Normals::mapped_in_twosided || n == Normals::plain_in_twosided; }

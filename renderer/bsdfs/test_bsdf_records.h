@@ -50,6 +50,18 @@ inline void randomise(RoughPlasticBsdf<float>& b, Random& random) {
 inline void randomise(PhongBsdf<float>& b, Random& random) {
   b = {std::pow(10.0f, 5 * random.next() - 1), some_colour(random), some_colour(random)};
 }
+inline PrincipledBase<float> some_base(Random& random) {
+  return {some_colour(random), random.next(), random.next(), some_switch(random) * random.next(), random.next()};
+}
+template <bool has_glass>
+void randomise(AnyPrincipledBsdf<float, has_glass>& b, Random& random) {
+  b = {some_base(random), random.next(),    random.next(), random.next(), random.next(), random.next(),
+       random.next(),     some_eta(random), random.next(), random.next(), random.next()};
+}
+inline void randomise(PrincipledThinBsdf<float>& b, Random& random) {
+  b = {some_base(random),    random.next(), random.next(), random.next(), some_eta(random),
+       2.0f * random.next(), random.next(), random.next(), random.next(), random.next()};
+}
 template <template <class> class Base>
 void randomise(LayeredBsdf<float, Base>& b, Random& random) {
   randomise(b.base, random);

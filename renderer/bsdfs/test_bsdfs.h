@@ -1,6 +1,7 @@
 // One of each BSDF over a range of parameters, extremes included, for tests that hold for all.
 #pragma once
 
+#include <cmath>
 #include <string>
 
 #include "renderer/bsdfs/compile_bsdf.h"
@@ -25,6 +26,43 @@ inline Bsdf compiled(const decltype(BsdfDescription::model)& model,
 /// Approximate eta and k of copper at 650, 550 and 450 nm.
 inline ComplexIor copper() { return {{0.21, 1.04, 1.16}, {3.67, 2.59, 2.42}}; }
 
+/// White principled BSDFs. The main facets' roughness is that of `alpha`.
+inline void add_principled(std::vector<NamedBsdf>& all, double alpha) {
+  const RgbD one(1.0);
+  const std::string of_alpha = " alpha " + std::to_string(alpha);
+  PrincipledDescription d{.base_color = one, .roughness = std::sqrt(alpha)};
+  const auto add = [&](const std::string& name, const auto& description) {
+    all.push_back({name + of_alpha, compiled(description), false});
+  };
+  add("principled", d);
+  d.metallic = 1.0;
+  d.anisotropic = 0.7;
+  add("principled metal", d);
+  d.metallic = 0.4;
+  d.clearcoat = 1.0;
+  d.clearcoat_gloss = 0.2;
+  d.flatness = 0.5;
+  d.spec_tint = 0.5;
+  add("coated principled", d);
+  for (const double eta : {1.5, 1 / 1.5}) {
+    PrincipledDescription glass{.base_color = one, .roughness = std::sqrt(alpha), .spec_trans = 1.0, .eta = eta};
+    add("principled glass eta " + std::to_string(eta), glass);
+    glass.spec_trans = 0.5;
+    glass.anisotropic = 0.6;
+    glass.specular_rate = 2;
+    add("half principled glass eta " + std::to_string(eta), glass);
+  }
+  PrincipledThinDescription thin{.base_color = one, .roughness = std::sqrt(alpha)};
+  add("principledthin", thin);
+  thin.spec_trans = 0.6;
+  thin.diff_trans = 0.8;
+  thin.anisotropic = 0.5;
+  thin.transmitted_rate = 3;
+  add("principledthin that transmits", thin);
+  thin.spec_trans = 1.0;
+  add("principledthin glass", thin);
+}
+
 /// White BSDFs with a smooth part. `alphas` are the roughnesses of the microfacets.
 inline std::vector<NamedBsdf> white_bsdfs(const std::vector<double>& alphas) {
   std::vector<NamedBsdf> all;
@@ -45,6 +83,7 @@ inline std::vector<NamedBsdf> white_bsdfs(const std::vector<double>& alphas) {
                  PhongDescription{40.0, RgbD(0.6), RgbD(0.4)}),
         false);
   }
+  for (const double alpha : alphas) add_principled(all, alpha);
   add("nonlinear plastic", compiled(PlasticDescription{RgbD{0.9, 0.5, 0.1}, one, 1.5, 1.0, true}), false);
   for (const double n : {0.0, 1.0, 30.0, 1e4})
     add("phong " + std::to_string(n), compiled(PhongDescription{n, RgbD(0.5), RgbD(0.5)}), false);

@@ -97,7 +97,10 @@ std::vector<Material> materials() {
           {"rough plastic of sharp highlights", glossy},
           {"rough plastic of wide ones", matt},
           {"Phong of exponent 10", PhongDescription{10.0, RgbD{0.2, 0.5, 0.3}, RgbD(0.4)}},
-          {"Phong of exponent 100", PhongDescription{100.0, RgbD{0.2, 0.5, 0.3}, RgbD(0.4)}}};
+          {"Phong of exponent 100", PhongDescription{100.0, RgbD{0.2, 0.5, 0.3}, RgbD(0.4)}},
+          {"coated principled", PrincipledDescription{.base_color = RgbD{0.6, 0.6, 0.3}, .clearcoat = 1.0}},
+          {"principled, partly glass", PrincipledDescription{.base_color = RgbD{0.6, 0.6, 0.3}, .spec_trans = 0.3}},
+          {"thin principled", PrincipledThinDescription{.base_color = RgbD{0.6, 0.6, 0.3}, .spec_trans = 0.3}}};
 }
 
 constexpr int seeds = 6;

@@ -14,7 +14,8 @@
 
 namespace photonproof::inline scenes_description {
 
-/// Facts of a kind of BSDF on which other code decides, without those of nested BSDFs.
+/// Facts of a kind of BSDF on which other code decides, without those of nested BSDFs. A kind whose parameters decide
+/// them has a function `traits()`.
 struct BsdfTraits {
   GivenBool transmits;  ///< Light passes through.
   GivenBool specular;   ///< Turns some light into a single direction: mirrors, smooth glass, clear coats.
@@ -364,6 +365,76 @@ void describe(P& p, NormalMapDescription& d) {
   p.bsdf(d.nested, "a BSDF");
 }
 
+/// Burley's principled BSDF (Burley 2012, 2015), one-sided where it lets no light through.
+struct PrincipledDescription {
+  Colour base_color = RgbD(0.5);
+  Scalar roughness = 0.5, anisotropic = 0.0, metallic = 0.0, spec_trans = 0.0;
+  std::optional<double> eta = {};  ///< Interior ior / exterior ior; without it `specular` counts.
+  double specular = 0.5;           ///< Reflectance at normal incidence is 0.08 times it.
+  Scalar spec_tint = 0.0, sheen = 0.0, sheen_tint = 0.0, flatness = 0.0, clearcoat = 0.0, clearcoat_gloss = 0.0;
+  double diffuse_rate = 1, specular_rate = 1, clearcoat_rate = 1;  ///< weights of the lobes in sampling
+
+  bool transmits() const { return spec_trans != Scalar(0.0); }
+  BsdfTraits traits() const {
+    const bool clear = transmits() || metallic != Scalar(0.0);
+    return {
+        .transmits = transmits(), .specular = false, .refracts = transmits(), .focuses = clear, .shows_others = clear};
+  }
+  friend bool operator==(const PrincipledDescription&, const PrincipledDescription&) = default;
+};
+
+/// The parameters that both principled BSDFs have.
+template <class P, class Principled>
+void describe_principled(P& p, Principled& d) {
+  p.colour_map("base_color", d.base_color, scene_xml::kShare, "colour of base, metal and transmission");
+  p.number_map("roughness", d.roughness, scene_xml::kShare, "root of the microfacets' alpha");
+  p.number_map("anisotropic", d.anisotropic, scene_xml::kShare, "stretches highlights along dp/du");
+  p.number_map("spec_tint", d.spec_tint, scene_xml::kShare, "share of the highlight that has the base's hue");
+  p.number_map("sheen", d.sheen, scene_xml::kShare, "retroreflection of cloth");
+  p.number_map("sheen_tint", d.sheen_tint, scene_xml::kShare, "share of the sheen that has the base's hue");
+  p.number_map("flatness", d.flatness, scene_xml::kShare, "0 is diffuse, 1 imitates subsurface scattering");
+}
+
+template <class P>
+void describe(P& p, PrincipledDescription& d) {
+  p.plugin("principled", "Burley's model; black from behind where `spec_trans` is 0");
+  describe_principled(p, d);
+  p.number_map("metallic", d.metallic, scene_xml::kShare, "0 is dielectric, 1 is metal");
+  p.number_map("spec_trans", d.spec_trans, scene_xml::kShare, "share of the dielectric that is glass");
+  p.eta_or_specular(d.eta, d.specular);
+  p.number_map("clearcoat", d.clearcoat, scene_xml::kShare, "a second highlight");
+  p.number_map("clearcoat_gloss", d.clearcoat_gloss, scene_xml::kShare, "0 makes that one 0.1 wide, 1 makes it 0.001");
+  p.number("diffuse_reflectance_sampling_rate", d.diffuse_rate, scene_xml::kNotNegative, "samples of the diffuse part");
+  p.number("main_specular_sampling_rate", d.specular_rate, scene_xml::kNotNegative, "samples of highlight and glass");
+  p.number("clearcoat_sampling_rate", d.clearcoat_rate, scene_xml::kNotNegative, "samples of the second highlight");
+}
+
+/// The principled BSDF of a sheet without thickness, the same from both sides.
+struct PrincipledThinDescription {
+  static constexpr BsdfTraits traits{
+      .transmits = true, .specular = false, .refracts = false, .focuses = true, .shows_others = false};
+  Colour base_color = RgbD(0.5);
+  Scalar roughness = 0.5, anisotropic = 0.0, spec_trans = 0.0, eta = 1.5;
+  Scalar spec_tint = 0.0, sheen = 0.0, sheen_tint = 0.0, flatness = 0.0;
+  Scalar diff_trans = 0.0;  ///< 2: all diffuse light passes
+  double diffuse_rate = 1, specular_rate = 1, transmitted_rate = 1, diffuse_transmitted_rate = 1;
+  friend bool operator==(const PrincipledThinDescription&, const PrincipledThinDescription&) = default;
+};
+
+template <class P>
+void describe(P& p, PrincipledThinDescription& d) {
+  p.plugin("principledthin", "Burley's model of a sheet, the same from both sides");
+  describe_principled(p, d);
+  p.number_map("spec_trans", d.spec_trans, scene_xml::kShare, "share that is glass");
+  p.number_map("eta", d.eta, {1e-3, 1e3}, "index of refraction of the sheet");
+  p.number_map("diff_trans", d.diff_trans, {0, 2}, "2 lets all diffuse light through");
+  p.number("diffuse_reflectance_sampling_rate", d.diffuse_rate, scene_xml::kNotNegative, "samples of the diffuse part");
+  p.number("specular_reflectance_sampling_rate", d.specular_rate, scene_xml::kNotNegative, "samples of the highlight");
+  p.number("specular_transmittance_sampling_rate", d.transmitted_rate, scene_xml::kNotNegative, "samples of the glass");
+  p.number("diffuse_transmittance_sampling_rate", d.diffuse_transmitted_rate, scene_xml::kNotNegative,
+           "samples of the diffuse light that passes");
+}
+
 struct BsdfDescription {
   SourceLoc loc;
   std::string id;  ///< empty when unnamed
@@ -371,12 +442,20 @@ struct BsdfDescription {
   std::variant<DiffuseDescription, ConductorDescription, DielectricDescription, RoughConductorDescription,
                ThinDielectricDescription, RoughDielectricDescription, PlasticDescription, RoughPlasticDescription,
                PhongDescription, LayeredDescription, TwoSidedDescription, MaskDescription, BlendDescription,
-               NullDescription, BumpMapDescription, NormalMapDescription>
+               NullDescription, BumpMapDescription, NormalMapDescription, PrincipledDescription,
+               PrincipledThinDescription>
       model;
 };
 
 inline BsdfTraits traits_of(const BsdfDescription& bsdf) {
-  return std::visit([]<class Model>(const Model&) { return Model::traits; }, bsdf.model);
+  return std::visit(
+      []<class Model>(const Model& model) -> BsdfTraits {
+        if constexpr (requires { model.traits(); })
+          return model.traits();
+        else
+          return Model::traits;
+      },
+      bsdf.model);
 }
 
 /// BSDFs that only choose or turn other BSDFs and have no record.

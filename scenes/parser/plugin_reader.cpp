@@ -48,6 +48,13 @@ void PluginReader::roughness(Scalar& alpha_u, Scalar& alpha_v) {
   alpha_v = read_roughness("alpha_v", alpha_v);
 }
 
+void PluginReader::eta_or_specular(std::optional<double>& eta, double& specular) {
+  params_.expect(!(params_.has("eta") && params_.has("specular")), "specular",
+                 "is given beside eta, expected one or the other");
+  if (params_.has("eta")) eta = params_.number_in("eta", 0, 1e-3, 1e3);
+  specular = params_.number_in("specular", specular, 0, 1);
+}
+
 void PluginReader::sun(Vec3d& direction, const Transform&, const char*) {
   expect_similarity(params_, "the sky");
   PlaceAndTime when;

@@ -68,6 +68,7 @@ class PluginReader {
   void transform(const char* name, Transform& v, const char*) { v = params_.transform(name); }
   void metal(std::optional<ComplexIor>& v) { v = read_conductor_ior(params_); }
   void roughness(Scalar& alpha_u, Scalar& alpha_v);
+  void eta_or_specular(std::optional<double>& eta, double& specular);
   void sun(Vec3d& direction, const Transform&, const char*);
 
   template <class Describe>

@@ -126,6 +126,11 @@ void PluginRows::roughness(const Scalar& alpha_u, const Scalar&) {
   add("alpha_v", ParamType::number_map, "`alpha`", values, "in place of `alpha`: along dp/dv");
 }
 
+void PluginRows::eta_or_specular(const std::optional<double>&, double specular) {
+  add("eta", ParamType::number, "", "0.001 to 1000", "in place of `specular`: index inside / outside");
+  add("specular", ParamType::number, format_number(specular), "0 to 1", "0.08 of it is reflected at normal incidence");
+}
+
 void PluginRows::sun(const Vec3d&, const Transform&, const char* what) {
   add("sun_direction", ParamType::point, "", "not 0", what);
   PlaceAndTime when;

@@ -61,6 +61,7 @@ class PluginRows {
   void transform(const char* name, const Transform&, const char* what);
   void metal(const std::optional<ComplexIor>&);
   void roughness(const Scalar& alpha_u, const Scalar& alpha_v);
+  void eta_or_specular(const std::optional<double>& eta, double specular);
   void sun(const Vec3d& direction, const Transform&, const char* what);
 
   template <class Describe>

@@ -59,6 +59,8 @@ TEST(plugins, give_mitsubas_defaults_of_bsdfs) {
   EXPECT_EQ(bsdf<RoughPlasticDescription>("roughplastic"), RoughPlasticDescription{});
   EXPECT_EQ(bsdf<PhongDescription>("phong"), PhongDescription{});
   EXPECT_EQ(bsdf<NullDescription>("null"), NullDescription{});
+  EXPECT_EQ(bsdf<PrincipledDescription>("principled"), PrincipledDescription{});
+  EXPECT_EQ(bsdf<PrincipledThinDescription>("principledthin"), PrincipledThinDescription{});
   EXPECT_EQ(bsdf<MaskDescription>("mask", kDiffuse), (MaskDescription{0.5, {0}}));
   EXPECT_EQ(bsdf<TwoSidedDescription>("twosided", kDiffuse), (TwoSidedDescription{{0}, {0}}));
   EXPECT_EQ(bsdf<TwoSidedDescription>("twosided", kDiffuse + kDiffuse), (TwoSidedDescription{{0}, {1}}));
@@ -69,6 +71,62 @@ TEST(plugins, give_mitsubas_defaults_of_bsdfs) {
   EXPECT_EQ(bsdf<NormalMapDescription>("normalmap", "<texture name='normalmap' type='checkerboard'/>" + kDiffuse),
             (NormalMapDescription{{0}, {0}, {true, true}}));
   EXPECT_EQ(bsdf<LayeredDescription>("layered", kDiffuse), LayeredDescription{});
+}
+
+TEST(plugins, read_every_parameter_of_principled_bsdfs) {
+  const auto set = [](const char* name, const char* value) {
+    return "<float name='" + std::string(name) + "' value='" + value + "'/>";
+  };
+  const std::string common = set("base_color", "0.11") + set("roughness", "0.12") + set("anisotropic", "0.13") +
+                             set("spec_tint", "0.14") + set("sheen", "0.15") + set("sheen_tint", "0.16") +
+                             set("flatness", "0.17") + set("spec_trans", "0.18") +
+                             set("diffuse_reflectance_sampling_rate", "0.19");
+  const std::string all = common + set("metallic", "0.2") + set("clearcoat", "0.21") + set("clearcoat_gloss", "0.22") +
+                          set("main_specular_sampling_rate", "0.23") + set("clearcoat_sampling_rate", "0.24");
+  PrincipledDescription expected{.base_color = RgbD(0.11),
+                                 .roughness = 0.12,
+                                 .anisotropic = 0.13,
+                                 .metallic = 0.2,
+                                 .spec_trans = 0.18,
+                                 .eta = 1.7,
+                                 .spec_tint = 0.14,
+                                 .sheen = 0.15,
+                                 .sheen_tint = 0.16,
+                                 .flatness = 0.17,
+                                 .clearcoat = 0.21,
+                                 .clearcoat_gloss = 0.22,
+                                 .diffuse_rate = 0.19,
+                                 .specular_rate = 0.23,
+                                 .clearcoat_rate = 0.24};
+  EXPECT_EQ(bsdf<PrincipledDescription>("principled", all + set("eta", "1.7")), expected);
+  expected.eta.reset();
+  expected.specular = 0.9;
+  EXPECT_EQ(bsdf<PrincipledDescription>("principled", all + set("specular", "0.9")), expected);
+  const std::string thin =
+      common + set("eta", "1.7") + set("diff_trans", "1.8") + set("specular_reflectance_sampling_rate", "0.3") +
+      set("specular_transmittance_sampling_rate", "0.31") + set("diffuse_transmittance_sampling_rate", "0.32");
+  EXPECT_EQ(bsdf<PrincipledThinDescription>("principledthin", thin),
+            (PrincipledThinDescription{.base_color = RgbD(0.11),
+                                       .roughness = 0.12,
+                                       .anisotropic = 0.13,
+                                       .spec_trans = 0.18,
+                                       .eta = 1.7,
+                                       .spec_tint = 0.14,
+                                       .sheen = 0.15,
+                                       .sheen_tint = 0.16,
+                                       .flatness = 0.17,
+                                       .diff_trans = 1.8,
+                                       .diffuse_rate = 0.19,
+                                       .specular_rate = 0.3,
+                                       .transmitted_rate = 0.31,
+                                       .diffuse_transmitted_rate = 0.32}));
+}
+
+TEST(plugins, nest_a_principled_bsdf_in_twosided_unless_it_transmits) {
+  EXPECT_EQ(bsdf<TwoSidedDescription>("twosided", "<bsdf type='principled'/>"), (TwoSidedDescription{{0}, {0}}));
+  for (const char* clear :
+       {"<bsdf type='principled'><float name='spec_trans' value='0.1'/></bsdf>", "<bsdf type='principledthin'/>"})
+    EXPECT_THROW(bsdf<TwoSidedDescription>("twosided", clear), InputError) << clear;
 }
 
 TEST(plugins, read_what_maps_do_with_normals) {

@@ -67,6 +67,9 @@ class PluginWriter {
     materials_.use("alpha_u", alpha_u);
     materials_.use("alpha_v", alpha_v);
   }
+  void eta_or_specular(const std::optional<double>& eta, double specular) {
+    xml_.number(eta ? "eta" : "specular", eta.value_or(specular));
+  }
   void sun(const Vec3d& direction, const Transform& to_world, const char*) {
     xml_.point("sun_direction", to_world.vector(direction) / to_world.similarity_scale());
   }

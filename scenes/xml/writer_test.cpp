@@ -175,7 +175,7 @@ class RandomScene {
 
   // Members are filled in the order in which the parser reads them.
   decltype(BsdfDescription::model) leaf() {
-    switch (pick(10)) {
+    switch (pick(12)) {
       case 0:
         return DiffuseDescription{colour()};
       case 1:
@@ -212,6 +212,19 @@ class RandomScene {
       }
       case 8:
         return PhongDescription{positive(), colour(), rgb()};
+      case 9: {
+        PrincipledDescription m{.base_color = colour(), .roughness = scalar(1)};
+        if (coin()) m.eta = refraction();
+        m.metallic = scalar(1);
+        m.clearcoat_rate = positive();
+        return m;
+      }
+      case 10: {
+        PrincipledThinDescription m{.base_color = rgb(), .roughness = scalar(1)};
+        m.diff_trans = scalar(2);
+        m.transmitted_rate = positive();
+        return m;
+      }
       default:
         return NullDescription{};
     }
