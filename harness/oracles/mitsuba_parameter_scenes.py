@@ -344,6 +344,62 @@ def glossy_cases():
         yield kind, "nonlinear", boolean("nonlinear") + rgb("diffuse_reflectance", "0.9,0.5,0.2")
 
 
+def principled_cases():
+    hued = rgb("base_color", "0.9,0.5,0.2")
+    # Parameters that make another one visible, by the name of that one.
+    beside = {"anisotropic": number("metallic", 0.9) + number("roughness", 0.6), "spec_tint": hued + number("specular", 1),
+              "sheen_tint": hued + number("sheen", 1), "clearcoat_gloss": number("clearcoat", 1), "roughness": ""}
+    shares = (("base_color", ""), ("roughness", 0.2), ("anisotropic", 0.9), ("spec_trans", 0.7), ("spec_tint", 0.8),
+              ("sheen", 0.9), ("sheen_tint", 0.7), ("flatness", 0.8))
+    for kind, more in (("principled", (("metallic", 0.7), ("clearcoat", 0.9), ("clearcoat_gloss", 0.6))),
+                       ("principledthin", (("eta", 1.9), ("diff_trans", 1.2)))):
+        clear = number("spec_trans", 0.8) + number("diff_trans", 0.6) if kind == "principledthin" else ""
+        yield kind, "", ""
+        for name, v in shares + more:
+            needs = beside.get(name, hued)
+            if kind == "principledthin":
+                needs = needs.replace(number("metallic", 0.9), "").replace(number("specular", 1), "")
+                needs += clear if name in ("anisotropic", "spec_tint", "eta") else ""
+            yield kind, name, hued if name == "base_color" else needs + number(name, v)
+            yield kind, f"{name} with texture", (needs if name != "base_color" else "") + picture(name)
+    every = hued + number("spec_trans", 0.5) + number("clearcoat", 1) + number("metallic", 0.2)
+    for name in ("diffuse_reflectance", "main_specular", "clearcoat"):
+        yield "principled", f"{name}_sampling_rate", every + number(f"{name}_sampling_rate", 4)
+    for name in ("diffuse_reflectance", "specular_reflectance", "specular_transmittance", "diffuse_transmittance"):
+        yield "principledthin", f"{name}_sampling_rate", (hued + number("spec_trans", 0.5) + number("diff_trans", 0.8) +
+                                                          number(f"{name}_sampling_rate", 4))
+    glass = hued + number("spec_trans", 1) + number("roughness", 0.3)
+    for v in (0, 0.9):
+        yield "principled", f"specular {v}", number("specular", v)
+        yield "principled", f"specular {v} of glass", glass + number("specular", v)
+    for v in (0.6, 1, 1.9):
+        yield "principled", f"eta {v}", number("eta", v) + number("metallic", 0.5)
+        yield "principled", f"eta {v} of glass", glass + number("eta", v)
+    yield "principled", "metal", hued + number("metallic", 1) + number("roughness", 0.3)
+    yield "twosided", "of principled", bsdf("principled", hued, number("clearcoat", 1))
+    yield "mask", "of principled", number("opacity", 0.6) + bsdf("principled", hued, number("spec_trans", 0.5))
+
+
+def principled_lights():
+    """A metal, a lacquer, glass and a sheet under each kind of light and by each integrator."""
+    hued, rough = rgb("base_color", "0.9,0.5,0.2"), number("roughness", 0.6)
+    kinds = (("metal", "principled", number("metallic", 1) + number("anisotropic", 0.5)),
+             ("coated", "principled", number("clearcoat", 1) + number("sheen", 0.5)),
+             ("glass", "principled", number("spec_trans", 0.8)),
+             ("sheet", "principledthin", number("spec_trans", 0.5) + number("diff_trans", 1)))
+    spot = emitter("point", point("position", "1,3,2"), number("intensity", 20))
+    for name, kind, content in kinds:
+        body = ball(bsdf(kind, hued, rough, content))
+        yield Case(f"{kind} {name}, point light", scene(body, lights=spot))
+        yield Case(f"{kind} {name}, area light", scene(body, lights=LAMP))
+        yield Case(f"{kind} {name}, sky", scene(body, lights=SKY))
+        yield Case(f"{kind} {name}, volpath", scene(body, integrator=VOLPATH))
+        yield Case(f"{kind} {name}, bdpt", scene(body, integrator=element("integrator", "bdpt", integer("max_depth", 8))),
+                   scene(body))
+        yield Case(f"{kind} {name}, ptracer", scene(body, lights=LAMP, integrator=element(
+            "integrator", "ptracer", integer("max_depth", 8))), scene(body, lights=LAMP))
+
+
 def nested_bsdfs():
     red, blue = bsdf("diffuse", rgb("reflectance", "0.8,0.2,0.1")), bsdf("diffuse", rgb("reflectance", "0.1,0.2,0.8"))
     rough = bsdf("roughconductor", number("alpha", 0.3))
@@ -381,9 +437,10 @@ def bsdf_cases():
                                      "ours 0.9000, Mitsuba's 0.871; without a delta part both agree",
         "plastic int_ior by name": "inside diamond diffuse light is reflected by 0.86533 (integral of Fresnel's equations), "
                                    "by 0.86925 in Mitsuba's fit: the diffuse part is 3.0 % too bright there, 0.1 % at 1.49"}
-    for kind, name, content in (*nested_bsdfs(), *glossy_cases()):
+    for kind, name, content in (*nested_bsdfs(), *glossy_cases(), *principled_cases()):
         title = f"{kind} {name}".strip()
         yield Case(title, scene(ball(bsdf(kind, content))), why=known.get(title, ""))
+    yield from principled_lights()
 
 
 # ---- emitters -----------------------------------------------------------------------------------------------------------
