@@ -63,11 +63,22 @@ class Pictures {
   /// Squared difference beyond noise, each value relative to its brightness, so that lights do not dominate.
   double unlike(const Image& expected) const {
     double sum = 0;
-    for (std::size_t i = 0; i < mean_.rgb.size(); ++i) {
-      const double e = double{expected.rgb[i]}, x = double{mean_.rgb[i]};
-      if (std::isfinite(e)) sum += ((x - e) * (x - e) - double{noise_[i]}) / (e * e + x * x + 1e-4);
-    }
+    for (std::size_t i = 0; i < mean_.rgb.size(); ++i)
+      if (const double e = double{expected.rgb[i]}; std::isfinite(e)) sum += unlike_value(e, i);
     return std::max(0.0, sum);
+  }
+
+  /// The same of the reference shifted by whole pixels right and down; of large images only some rows are summed.
+  double unlike_shifted(int dx, int dy) const {
+    constexpr std::size_t enough = std::size_t{1} << 18;
+    const int step = static_cast<int>(1 + mean_.pixels() / enough);
+    double sum = 0;
+    for (int y = std::max(0, dy); y < mean_.height + std::min(0, dy); y += step)
+      for (int x = std::max(0, dx); x < mean_.width + std::min(0, dx); ++x)
+        for (int c = 0; c < 3; ++c)
+          sum += unlike_value(double{reference_.pixel(x - dx, y - dy)[c]},
+                              static_cast<std::size_t>(mean_.pixel(x, y) - mean_.rgb.data() + c));
+    return step * std::max(0.0, sum);
   }
 
   /// Mean over a block of 8 x 8 pixels and all channels, of the image less the reference, in its standard errors.
@@ -85,6 +96,11 @@ class Pictures {
   }
 
  private:
+  double unlike_value(double expected, std::size_t i) const {
+    const double x = double{mean_.rgb[i]};
+    return ((x - expected) * (x - expected) - double{noise_[i]}) / (expected * expected + x * x + 1e-4);
+  }
+
   Image reference_, mean_;
   std::vector<float> noise_;
 };
@@ -117,12 +133,13 @@ void try_rows(const Pictures& pictures, bool is_display_file, Best& best) {
 
 /// Shifts by whole pixels, of which the smallest that is as good as the best counts.
 void try_shifts(const Pictures& pictures, Best& best) {
-  constexpr int most = 4;
+  constexpr int most = 4, least_side = 4 * most;
+  if (std::min(pictures.mean().width, pictures.mean().height) < least_side) return;
   for (int distance = 1; distance <= 2 * most; ++distance)
     for (int dy = -most; dy <= most; ++dy)
       for (int dx = -most; dx <= most; ++dx) {
         if (std::abs(dx) + std::abs(dy) != distance) continue;
-        const double left = pictures.unlike(viewed(pictures.reference(), dx, dy, 1));
+        const double left = pictures.unlike_shifted(dx, dy);
         if (left >= 0.9 * best.least) continue;
         std::string words;
         const auto add = [&](int pixels, const char* up, const char* down) {

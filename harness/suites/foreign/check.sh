@@ -11,7 +11,7 @@ case $name in
   blender) python3 -c 'import bpy' 2>/dev/null || { echo "skipped: python3 cannot import bpy"; exit 77; } ;;
 esac
 work=$(mktemp -d) && trap 'rm -rf "$work"' EXIT
-cp "$here"/* "$work" && cd "$work" || exit 2
+find "$here" -maxdepth 1 -type f -exec cp {} "$work" \; && cd "$work" || exit 2
 export PHOTONPROOF_CACHE=$work/cache
 [ "$name" != ball ] || ${CXX:-g++} -O2 -o ball ball.cpp || exit 2
 "$photonproof" reference "$name.toml" --engine "$name" --budget spp=256 --quiet || exit 2
