@@ -4,12 +4,13 @@ import tempfile
 from pathlib import Path
 
 tops = ("scenes", "renderer", "reference", "reports", "harness")
+not_ours = ("harness/setup/", "harness/courses/", "harness/suites/foreign/")
 
 
 def room_sources(root, *ends):
-    """Paths below root, in their order, but for what the checks are tested with, and a course's programs: no room's."""
+    """Paths below root, in their order, without the checks' inputs and foreign programs, which lie in no room."""
     paths = [p.relative_to(root).as_posix() for top in tops for end in ends for p in (root / top).rglob("*" + end)]
-    return sorted(path for path in paths if not path.startswith(("harness/setup/", "harness/courses/")))
+    return sorted(path for path in paths if not path.startswith(not_ours))
 
 
 def tags(ctags, root, files, kinds, fields):
