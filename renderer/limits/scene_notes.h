@@ -9,8 +9,8 @@
 
 namespace photonproof::inline renderer_limits {
 
-/// First the description's own notes. Then BSDFs, shapes and emitters in its order, and last what is too near or far for
-/// precision. `scene` is compiled from it.
+/// First the description's own notes. Then BSDFs, shapes and emitters in its order, and last what is too near or far
+/// for precision. `scene` is compiled from it.
 std::vector<SceneNote> scene_notes(const SceneDescription& description, const SceneParts& scene);
 
 }  // namespace photonproof::inline renderer_limits

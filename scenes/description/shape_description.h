@@ -126,8 +126,9 @@ struct MeshDescription {
   std::shared_ptr<const TriangleMesh> mesh;  ///< Never null; shared by the shapes that name the same file.
   int shape_index = 0;                       ///< which mesh of a serialized file
   friend bool operator==(const MeshDescription& a, const MeshDescription& b) {
-    return a.format == b.format && a.filename == b.filename && a.shape_index == b.shape_index && a.face_normals == b.face_normals &&
-           a.flip_tex_coords == b.flip_tex_coords && (a.mesh == b.mesh || (a.mesh && b.mesh && *a.mesh == *b.mesh));
+    return a.format == b.format && a.filename == b.filename && a.shape_index == b.shape_index &&
+           a.face_normals == b.face_normals && a.flip_tex_coords == b.flip_tex_coords &&
+           (a.mesh == b.mesh || (a.mesh && b.mesh && *a.mesh == *b.mesh));
   }
 };
 
