@@ -6,7 +6,7 @@
 #include <cstdint>
 
 #include "harness/verbs/usage/verb_usage.h"
-#include "scenes/parser/model_file.h"
+#include "scenes/dialect/model_file.h"
 #include "scenes/parser/parser.h"
 
 namespace photonproof::inline harness_verbs {

@@ -11,7 +11,6 @@ namespace photonproof::inline harness_verbs {
 /// Adds the subcommand to `program`; its callback leaves the process's exit code in `exit_code`.
 void add_generate_verb(CLI::App& program, int& exit_code);
 void add_render_verb(CLI::App& program, int& exit_code);
-void add_convert_verb(CLI::App& program, int& exit_code);
 void add_export_verb(CLI::App& program, int& exit_code);
 void add_compare_verb(CLI::App& program, int& exit_code);
 void add_bench_verb(CLI::App& program, int& exit_code);
@@ -29,6 +28,7 @@ int run_program(CLI::App& program, int argc, char** argv, const int& exit_code);
 }  // namespace photonproof::inline harness_verbs
 
 namespace photonproof::inline harness_verbs_engines {
+void add_convert_verb(CLI::App& program, int& exit_code);
 void add_povray_verb(CLI::App& program, int& exit_code);
 void add_cycles_verb(CLI::App& program, int& exit_code);
 }  // namespace photonproof::inline harness_verbs_engines

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <iterator>
 
 #include "scenes/dialect/bsdf_stand_ins.h"
 #include "scenes/dialect/colour_stand_ins.h"

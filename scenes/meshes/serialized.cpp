@@ -6,6 +6,8 @@
 #include <bit>
 #include <cmath>
 #include <cstring>
+#include <new>
+#include <type_traits>
 
 #include "scenes/base/input_error.h"
 

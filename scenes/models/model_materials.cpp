@@ -134,7 +134,7 @@ BsdfIndex ModelMaterials::add(BsdfModel model, const std::string& id) {
 
 BsdfIndex ModelMaterials::bsdf(const aiMaterial& material, const std::string& id) {
   const BsdfModel own = model_of(material);
-  const bool opaque = !std::visit([](const auto& d) { return bool{d.traits.transmits}; }, own);
+  const bool opaque = !traits_of({{}, "", own}).transmits;
   BsdfIndex index = add(own, opaque ? id + "-front" : id);
   if (opaque) index = add(TwoSidedDescription{index, index}, id);
   const float opacity = number(material, AI_MATKEY_OPACITY, 1);

@@ -1,10 +1,11 @@
 // A scene's obstacles are told together, or left out. Scenes without a sensor or a light, scenes with several sensors,
 // and spectra with a type.
-#include "scenes/parser/obstacles.h"
+#include "scenes/xml/obstacles.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <tuple>
 
 #include "scenes/description/spectrum.h"
 #include "scenes/parser/parser.h"

@@ -8,7 +8,7 @@
 #include "scenes/parser/scene_objects.h"
 #include "scenes/parser/spectrum_value.h"
 #include "scenes/parser/typed_spectrum.h"
-#include "scenes/parser/values.h"
+#include "scenes/xml/values.h"
 
 namespace photonproof::scene_xml {
 namespace {

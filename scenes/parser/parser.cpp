@@ -4,15 +4,15 @@
 #include <algorithm>
 #include <type_traits>
 
+#include "scenes/description/sensor_around.h"
 #include "scenes/dialect/element_edit.h"
+#include "scenes/dialect/model_file.h"
 #include "scenes/dialect/stand_ins.h"
 #include "scenes/files/atomic_file.h"
 #include "scenes/files/scratch_folder.h"
 #include "scenes/parser/expand.h"
-#include "scenes/parser/model_file.h"
 #include "scenes/parser/plugins.h"
 #include "scenes/parser/scene_objects.h"
-#include "scenes/parser/sensor_around.h"
 
 namespace photonproof::inline scenes_parser {
 namespace {

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "scenes/description/description.h"
-#include "scenes/parser/obstacles.h"
 #include "scenes/parser/scene_files.h"
+#include "scenes/xml/obstacles.h"
 #include "scenes/xml/xml_source.h"
 
 namespace photonproof::scene_xml {

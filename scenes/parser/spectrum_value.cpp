@@ -4,7 +4,7 @@
 
 #include "scenes/base/text_numbers.h"
 #include "scenes/parser/scene_objects.h"
-#include "scenes/parser/values.h"
+#include "scenes/xml/values.h"
 
 namespace photonproof::scene_xml {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace photonproof::inline scenes_parser {
+namespace photonproof::inline scenes_dialect {
 
 /// Whether a file is a model by the ending of its name: .ply, .serialized, .obj, .gltf or .glb.
 bool is_model(const std::filesystem::path& file);
@@ -21,4 +21,4 @@ struct ModelScene {
 /// another program, which may take five minutes. Throws InputError where the model cannot be read.
 ModelScene read_model(const std::filesystem::path& model, const std::filesystem::path& folder);
 
-}  // namespace photonproof::inline scenes_parser
+}  // namespace photonproof::inline scenes_dialect

@@ -12,12 +12,12 @@
 #include "harness/verbs/verbs.h"
 #include "scenes/base/input_error.h"
 #include "scenes/description/file_names.h"
+#include "scenes/dialect/model_file.h"
 #include "scenes/files/atomic_file.h"
-#include "scenes/parser/model_file.h"
 #include "scenes/parser/parser.h"
 #include "scenes/xml/writer.h"
 
-namespace photonproof::inline harness_verbs {
+namespace photonproof::inline harness_verbs_engines {
 namespace {
 
 namespace fs = std::filesystem;
@@ -96,4 +96,4 @@ void add_convert_verb(CLI::App& program, int& exit_code) {
   verb->callback([arguments, &exit_code] { exit_code = run_convert(*arguments); });
 }
 
-}  // namespace photonproof::inline harness_verbs
+}  // namespace photonproof::inline harness_verbs_engines

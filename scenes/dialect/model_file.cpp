@@ -1,4 +1,4 @@
-#include "scenes/parser/model_file.h"
+#include "scenes/dialect/model_file.h"
 
 #include <algorithm>
 #include <cctype>
@@ -11,7 +11,7 @@
 #include "scenes/base/utf8.h"
 #include "scenes/files/atomic_file.h"
 
-namespace photonproof::inline scenes_parser {
+namespace photonproof::inline scenes_dialect {
 namespace {
 
 namespace fs = std::filesystem;
@@ -87,4 +87,4 @@ ModelScene read_model(const fs::path& model, const fs::path& folder) {
   return scene;
 }
 
-}  // namespace photonproof::inline scenes_parser
+}  // namespace photonproof::inline scenes_dialect

@@ -7,7 +7,7 @@
 #include "scenes/files/test_folder.h"
 #include "scenes/parser/parser.h"
 
-namespace photonproof::inline harness_verbs {
+namespace photonproof::inline harness_verbs_engines {
 namespace {
 
 /// A square of paint, a glossy and a glass triangle, and a lamp.
@@ -146,4 +146,4 @@ TEST_F(ConvertVerb, is_not_needed_to_render_a_model) {
 }
 
 }  // namespace
-}  // namespace photonproof::inline harness_verbs
+}  // namespace photonproof::inline harness_verbs_engines

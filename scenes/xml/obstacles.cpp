@@ -1,4 +1,4 @@
-#include "scenes/parser/obstacles.h"
+#include "scenes/xml/obstacles.h"
 
 #include <algorithm>
 #include <tuple>

@@ -1,4 +1,4 @@
-#include "scenes/parser/values.h"
+#include "scenes/xml/values.h"
 
 #include <algorithm>
 #include <cctype>

@@ -1,11 +1,11 @@
-#include "scenes/parser/sensor_around.h"
+#include "scenes/description/sensor_around.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
 
-namespace photonproof::scene_xml {
+namespace photonproof::inline scenes_description {
 namespace {
 
 struct Box {
@@ -87,4 +87,4 @@ SensorDescription sensor_around(const SceneDescription& scene, bool front) {
   return sensor;
 }
 
-}  // namespace photonproof::scene_xml
+}  // namespace photonproof::inline scenes_description
