@@ -176,9 +176,27 @@ std::optional<SeenFault> of_gain(const Pictures& pictures, double most) {
                    true};
 }
 
+/// Whether the channels lost or gained about the same share of their light. One that is wrong alone is no missing
+/// light.
+bool channels_agree(const Pictures& pictures) {
+  constexpr double most_apart = 0.1;
+  std::array<double, 3> shares{};
+  for (std::size_t c = 0; c < 3; ++c) {
+    double light = 0, found = 0;
+    for (std::size_t i = c; i < pictures.mean().rgb.size(); i += 3) {
+      light += double{pictures.reference().rgb[i]};
+      found += double{pictures.mean().rgb[i]};
+    }
+    shares[c] = light > 0 ? found / light : 1;
+  }
+  const auto [least, most] = std::ranges::minmax(shares);
+  return most - least <= most_apart;
+}
+
 /// Blocks that are darker and nearly none that is brighter: light is missing. The reverse is light that should not be
 /// there. Of few noisy images some blocks look brighter by chance. Fewer blocks may be one object that is wrong.
 std::optional<SeenFault> of_light(const Pictures& pictures) {
+  if (!channels_agree(pictures)) return std::nullopt;
   constexpr double certain = 6, least_share = 0.25, by_chance = 0.05;
   int blocks = 0, darker = 0, brighter = 0;
   for (int y = 0; y < pictures.mean().height; y += 8)

@@ -89,6 +89,7 @@ TEST(NamedFault, one_factor_is_no_missing_light) {
 
 // Half of the blocks are brighter and half darker, as by no change that has a name.
 TEST(NamedFault, a_difference_without_a_name_gets_none) {
+  EXPECT_EQ(name_of([](int x, int y, int c) { return light(x, y, c) * (c == 0 ? 0.55 : 1); }), "") << "one channel";
   EXPECT_EQ(name_of([](int x, int y, int c) { return light(x, y, c) * (x % 16 < 8 ? 0.7 : 1.3); }), "");
 }
 

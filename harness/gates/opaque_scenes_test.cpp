@@ -100,7 +100,8 @@ TEST_F(OpaqueScene, an_engine_makes_the_reference_and_a_good_one_is_not_replaced
   EXPECT_NE(again.standard_error.find("say why it is replaced with --reason TEXT"), std::string::npos);
   const ProcessOutcome accepted = run_gates({"--accept", "scene/good/agreement", "--reason", "new light"});
   EXPECT_EQ(accepted.exit_code, 0) << accepted.standard_error;
-  EXPECT_NE(get("references/scene/reference-32x24.json").find("new light"), std::string::npos);
+  EXPECT_NE(get("references/scene/reference-32x24.json").find("new light"), std::string::npos)
+      << accepted.standard_output << accepted.standard_error;
   EXPECT_EQ(run_gates().exit_code, 0);
 }
 

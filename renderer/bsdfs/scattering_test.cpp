@@ -84,7 +84,7 @@ struct Mean {
 /// The integral int int camera(o) |o.ng| K(o,i) light(i) di do, by paths of that mode over randomly shifted lattices.
 /// Their spread is the error. Steps are powers of the root of x^7 = x + 1, which fill the six dimensions evenly.
 Mean transported(const OneSurface& surface, TransportMode mode) {
-  constexpr int lattices = 16, points = 4000;
+  constexpr int lattices = 24, points = 4000;
   double sum = 0, squares = 0;
   for (std::uint64_t k = 0; k < lattices; ++k) {
     test::Random random(77, k);
