@@ -141,7 +141,8 @@ void take_precedence(const Target&) {
   sched_param first{1};
   escaped_if(sched_setscheduler(0, SCHED_FIFO, &first) == 0 || sched_setscheduler(0, SCHED_RR, &first) == 0,
              "runs before all others");
-  escaped_if(setpriority(PRIO_PROCESS, 0, -5) == 0, "has a higher priority");
+  const int own = getpriority(PRIO_PROCESS, 0);  // a caller may have given it a high one
+  escaped_if(setpriority(PRIO_PROCESS, 0, own - 1) == 0 && getpriority(PRIO_PROCESS, 0) < own, "has a higher priority");
 }
 
 void survive_out_of_memory(const Target&) {
