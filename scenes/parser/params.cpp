@@ -290,11 +290,11 @@ Transform Params::transform(const std::string& name) {
 }
 
 void Params::finish() const {
-  for (const auto& [name, element] : given_)
-    if (!read_.count(name))
+  for (const auto& given : given_)
+    if (!read_.count(given.first))
       objects_.obstacles().attempt([&] {
-        const Attribute& attribute = require(sources_, *element, "name");
-        fail_at(sources_, attribute, "parameter '" + name + "' of " + title_ + " has no effect here");
+        const Attribute& attribute = require(sources_, *given.second, "name");
+        fail_at(sources_, attribute, "parameter '" + given.first + "' of " + title_ + " has no effect here");
       });
 }
 
