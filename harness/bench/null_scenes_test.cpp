@@ -13,6 +13,7 @@
 #include "harness/gates/gate_images.h"
 #include "harness/gates/gate_look.h"
 #include "harness/suites/engines.h"
+#include "scenes/files/scratch_folder.h"
 
 namespace photonproof::inline harness_bench {
 namespace {
@@ -53,16 +54,15 @@ GateSuite suite_of(const std::string& scene) {
 std::vector<Image> drawn_images(const GateSuite& suite, const StoredReference& reference, std::size_t count) {
   DrawOptions options;
   options.program = PHOTONPROOF_BINARY;
-  options.folder = fs::temp_directory_path() / ("photonproof-null-" + suite.scenes[0].name);
+  const ScratchFolder folder("null-scenes-test");
+  options.folder = folder.path();
   options.processes = 2;
-  fs::create_directories(options.folder);
   ImageStream stream(suite, suite.gates[0], {reference.provenance.scene_hash, "null"}, reference.provenance.seeds,
                      options);
   EXPECT_TRUE(stream.draw(count));
   EXPECT_EQ(stream.failed(), nullptr);
   std::vector<Image> images;
   for (const auto& drawn : stream.drawn()) images.push_back(drawn->image);
-  fs::remove_all(options.folder);
   return images;
 }
 

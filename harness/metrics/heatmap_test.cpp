@@ -1,7 +1,6 @@
 #include "harness/metrics/heatmap.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <cmath>
 #include <filesystem>
@@ -10,17 +9,14 @@
 #include "harness/pixels/display.h"
 #include "reports/record/heatmap_magma.h"
 #include "scenes/base/input_error.h"
+#include "scenes/files/test_folder.h"
 
 namespace photonproof::inline harness_metrics {
 namespace {
 
 namespace fs = std::filesystem;
 
-class HeatmapFilesTest : public testing::Test {
- protected:
-  const fs::path folder = fs::path(testing::TempDir()) / ("heatmap_test_" + std::to_string(getpid()));
-  void TearDown() override { fs::remove_all(folder); }
-};
+using HeatmapFilesTest = FolderTest;
 
 TEST(Heatmap, flip_scale_is_linear_from_zero_to_one) {
   EXPECT_EQ(flip_shade(0), 0);
@@ -53,11 +49,11 @@ TEST_F(HeatmapFilesTest, are_pictures_of_the_images_size_in_a_folder_made_for_th
   const Image reference = busy_image(14, 12);
   Image test = reference;
   test.pixel(5, 6)[0] += 20;
-  HeatmapWriter writer(14, 12, folder / "new", "cell");
+  HeatmapWriter writer(14, 12, folder_ / "new", "cell");
   measure(reference, test, {}, &writer);
   const HeatmapFiles files = writer.finish();
-  EXPECT_EQ(files.flip, folder / "new" / "cell-flip.png");
-  EXPECT_EQ(files.error, folder / "new" / "cell-error.png");
+  EXPECT_EQ(files.flip, folder_ / "new" / "cell-flip.png");
+  EXPECT_EQ(files.error, folder_ / "new" / "cell-error.png");
   const Image flip = read_image(files.flip.string());
   EXPECT_EQ(flip.width, 14);
   EXPECT_EQ(flip.height, 12);
@@ -70,18 +66,17 @@ TEST_F(HeatmapFilesTest, are_pictures_of_the_images_size_in_a_folder_made_for_th
 
 TEST_F(HeatmapFilesTest, are_not_there_unless_finished) {
   {
-    HeatmapWriter writer(3, 3, folder, "cell");
+    HeatmapWriter writer(3, 3, folder_, "cell");
     const std::vector<float> zeros(9);
     writer.add(3, zeros.data(), zeros.data());
   }
-  EXPECT_TRUE(fs::is_empty(folder));
+  EXPECT_TRUE(fs::is_empty(folder_));
 }
 
 TEST_F(HeatmapFilesTest, refuse_a_folder_that_cannot_be_made) {
-  fs::create_directories(folder);
   const Image image = busy_image(3, 3);
-  write_png((folder / "file").string(), image);
-  EXPECT_THROW(HeatmapWriter(3, 3, folder / "file" / "below", "cell"), InputError);
+  write_png((folder_ / "file").string(), image);
+  EXPECT_THROW(HeatmapWriter(3, 3, folder_ / "file" / "below", "cell"), InputError);
 }
 
 }  // namespace

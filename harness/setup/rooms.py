@@ -5,8 +5,8 @@
 
 A room's names are in an inline namespace of its own, so that two rooms may have one name without being linked as one.
 A room's files may include the rooms it links and those that they may. Tests, benches and what only they use (test_*) may
-include anything; a CMakeLists.txt has to name them, or they would never run. Prints what is wrong as file:line: sentence and
-ends with 1.
+include anything; a CMakeLists.txt has to name them, or they would never run. Tests run beside each other, so each takes its
+files from a folder of its own: FolderTest or ScratchFolder. Prints what is wrong as file:line: sentence and ends with 1.
 """
 import re
 import sys
@@ -15,6 +15,9 @@ from pathlib import Path
 from source_tags import room_sources
 
 most_files, most_lines = 45, 500
+# These name their files by process or by what fails.
+makers_of_folders = {"scenes/files/test_folder.h", "scenes/base/test_fuzz.h", "scenes/base/test_corpus.h",
+                     "scenes/records/test_record.h", "harness/sandbox/escapes_test.cpp"}
 
 
 def read_rooms(text):
@@ -57,6 +60,10 @@ def main(rooms_file, root):
         if re.search(r"_(test|bench|fuzz)\.cpp$|^test_", path.name) and path.name != "verb_bench.cpp":
             if path.suffix == ".cpp" and path.name not in built:
                 problems.append(f"{file}:1: no CMakeLists.txt names it, so that it is never built")
+            if file not in makers_of_folders:
+                problems += [f"{file}:{number}: another test may use this folder; take FolderTest or ScratchFolder"
+                             for number, line in enumerate(lines, 1)
+                             if re.search(r"\bTempDir\(|temp_directory_path\(", line)]
             continue
         for number, line in enumerate(lines, 1):
             included = re.match(r'#include "([a-z_/0-9]+)/[^/"]+"', line)

@@ -1,5 +1,4 @@
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -12,22 +11,16 @@
 #include "harness/verbs/verbs.h"
 #include "scenes/base/input_error.h"
 #include "scenes/files/atomic_file.h"
+#include "scenes/files/test_folder.h"
 
 namespace photonproof::inline harness_verbs {
 namespace {
 
-namespace fs = std::filesystem;
-
-class CompareVerb : public testing::Test {
+class CompareVerb : public FolderTest {
  protected:
-  const fs::path folder = fs::path(testing::TempDir()) / ("compare_verb_test_" + std::to_string(getpid()));
-
-  void SetUp() override { fs::create_directories(folder); }
-  void TearDown() override { fs::remove_all(folder); }
-
   std::string write(const std::string& name, const Image& image) {
-    write_exr((folder / name).string(), {image, std::nullopt, {}});
-    return (folder / name).string();
+    write_exr((folder_ / name).string(), {image, std::nullopt, {}});
+    return (folder_ / name).string();
   }
 
   /// A reference of all ones and a test a quarter darker: mse 0.0625, bias -0.25.
@@ -75,7 +68,7 @@ TEST_F(CompareVerb, prints_a_metric_a_line_with_its_parameters) {
 // 188 of 255 is 0.502886 as linear light: ((188/255 + 0.055) / 1.055)^2.4. Its squared distance from 1 is 0.247122;
 // that of the encoded value, 0.737255, would be 0.069035.
 TEST_F(CompareVerb, says_that_eight_bits_are_made_linear) {
-  const std::string png = (folder / "test.png").string();
+  const std::string png = (folder_ / "test.png").string();
   {
     PngRows rows(png, 12, 14);
     rows.add(14, std::vector<std::uint8_t>(3 * 12 * 14, 188).data());
@@ -130,8 +123,8 @@ TEST_F(CompareVerb, parts_of_images_are_compared_where_both_store_pixels) {
     rendering.mean = constant_image(width, 3, value, value, value);
     rendering.variance = constant_image(width, 3, 0.01f, 0.01f, 0.01f);
     rendering.place = place;
-    write_exr((folder / name).string(), rendering);
-    return (folder / name).string();
+    write_exr((folder_ / name).string(), rendering);
+    return (folder_ / name).string();
   };
   const ImagePlace place{5, 8, 12, 14};
   const std::string ref = part("ref.exr", 1, place, 4), test = part("test.exr", 1.5f, place, 4);
@@ -167,27 +160,27 @@ TEST_F(CompareVerb, sizes_that_differ_give_three) {
 }
 
 TEST_F(CompareVerb, missing_or_damaged_file_gives_four) {
-  const std::string missing = (folder / "missing.exr").string();
+  const std::string missing = (folder_ / "missing.exr").string();
   const Run run = compare({reference(), missing});
   EXPECT_EQ(run.exit_code, 4);
   EXPECT_EQ(run.err, missing + ": error: no such file\n");
 
   const std::string whole = read_file(reference());
-  write_file_atomically(folder / "cut.exr", whole.substr(0, whole.size() / 2));
-  EXPECT_EQ(compare({reference(), (folder / "cut.exr").string()}).exit_code, 4);
-  write_file_atomically(folder / "text.exr", "no image");
-  EXPECT_EQ(compare({(folder / "text.exr").string(), reference()}).exit_code, 4);
+  write_file_atomically(folder_ / "cut.exr", whole.substr(0, whole.size() / 2));
+  EXPECT_EQ(compare({reference(), (folder_ / "cut.exr").string()}).exit_code, 4);
+  write_file_atomically(folder_ / "text.exr", "no image");
+  EXPECT_EQ(compare({(folder_ / "text.exr").string(), reference()}).exit_code, 4);
 }
 
 TEST_F(CompareVerb, heatmaps_that_cannot_be_written_give_four) {
-  write_file_atomically(folder / "file", "");
-  EXPECT_EQ(compare({reference(), darker(), "--heatmaps", (folder / "file").string()}).exit_code, 4);
+  write_file_atomically(folder_ / "file", "");
+  EXPECT_EQ(compare({reference(), darker(), "--heatmaps", (folder_ / "file").string()}).exit_code, 4);
 }
 
 TEST_F(CompareVerb, writes_heatmaps_named_after_the_test_image) {
-  EXPECT_EQ(compare({reference(), darker(), "--heatmaps", (folder / "maps").string()}).exit_code, 0);
-  EXPECT_EQ(read_image((folder / "maps" / "darker-flip.png").string()).width, 12);
-  EXPECT_EQ(read_image((folder / "maps" / "darker-error.png").string()).height, 14);
+  EXPECT_EQ(compare({reference(), darker(), "--heatmaps", (folder_ / "maps").string()}).exit_code, 0);
+  EXPECT_EQ(read_image((folder_ / "maps" / "darker-flip.png").string()).width, 12);
+  EXPECT_EQ(read_image((folder_ / "maps" / "darker-error.png").string()).height, 14);
 }
 
 TEST_F(CompareVerb, region_and_mask_choose_pixels_and_are_printed) {
@@ -241,10 +234,10 @@ TEST_F(CompareVerb, metrics_that_are_named_are_computed_alone_with_those_that_ha
             (std::vector<std::string>{"mse", "flip"}));
   EXPECT_THROW(compare({ref, test, "--metrics", "mse,ssmi"}), InputError);
   // Heat maps show the same whatever is printed.
-  compare({ref, test, "--heatmaps", (folder / "all").string()});
-  compare({ref, test, "--metrics", "mse", "--heatmaps", (folder / "few").string()});
+  compare({ref, test, "--heatmaps", (folder_ / "all").string()});
+  compare({ref, test, "--metrics", "mse", "--heatmaps", (folder_ / "few").string()});
   for (const std::string name : {"darker-flip.png", "darker-error.png"})
-    EXPECT_EQ(read_file(folder / "all" / name), read_file(folder / "few" / name));
+    EXPECT_EQ(read_file(folder_ / "all" / name), read_file(folder_ / "few" / name));
 }
 
 TEST_F(CompareVerb, hdr_flip_is_computed_for_a_bound_or_by_name) {
@@ -302,7 +295,7 @@ TEST_F(CompareVerb, json_holds_every_metric_and_says_which_have_no_number) {
 }
 
 TEST_F(CompareVerb, json_reports_file_errors_too) {
-  const Run run = compare({reference(), (folder / "missing.exr").string(), "--json"});
+  const Run run = compare({reference(), (folder_ / "missing.exr").string(), "--json"});
   EXPECT_EQ(run.exit_code, 4);
   const auto record = nlohmann::json::parse(run.out);
   EXPECT_EQ(record.at("verdict"), "file_error");
@@ -312,9 +305,9 @@ TEST_F(CompareVerb, json_reports_file_errors_too) {
 // A block's mean is off by 0.05 of 0.1 sqrt(2) / 8, which independent pixels do not allow.
 TEST_F(CompareVerb, agreement_of_shared_noise_warns_that_it_is_inconclusive) {
   const auto write_noisy = [&](const std::string& name, float value) {
-    write_exr((folder / name).string(),
+    write_exr((folder_ / name).string(),
               {constant_image(16, 16, value, value, value), constant_image(16, 16, 0.01f, 0.01f, 0.01f), {}});
-    return (folder / name).string();
+    return (folder_ / name).string();
   };
   const std::string ref = write_noisy("a.exr", 1), test = write_noisy("b.exr", 1.05f);
   EXPECT_EQ(compare({ref, test, "--agreement"}).exit_code, 2);
@@ -329,9 +322,9 @@ TEST_F(CompareVerb, agreement_of_shared_noise_warns_that_it_is_inconclusive) {
 
 TEST_F(CompareVerb, agreement_fails_beyond_the_noise_and_needs_variances) {
   const auto write_noisy = [&](const std::string& name, float value) {
-    write_exr((folder / name).string(),
+    write_exr((folder_ / name).string(),
               {constant_image(16, 16, value, value, value), constant_image(16, 16, 0.01f, 0.01f, 0.01f), {}});
-    return (folder / name).string();
+    return (folder_ / name).string();
   };
   // Deviations of 0.1 a side: 0.05 is 0.35 of a pixel's difference, but 2.8 of a block's mean: chi^2 of 4 blocks 32.
   const std::string ref = write_noisy("a.exr", 1);
@@ -368,10 +361,10 @@ TEST_F(CompareVerb, wrong_usage_is_refused_before_any_file_is_read) {
 }
 
 TEST_F(CompareVerb, heat_map_never_replaces_an_image_that_is_read) {
-  const std::string reference = (folder / "darker-flip.png").string();
+  const std::string reference = (folder_ / "darker-flip.png").string();
   write_png(reference, constant_image(12, 14, 1, 1, 1));
   const std::string before = read_file(reference);
-  const Run run = compare({reference, darker(), "--heatmaps", folder.string()});
+  const Run run = compare({reference, darker(), "--heatmaps", folder_.string()});
   EXPECT_EQ(run.exit_code, 4);
   EXPECT_EQ(run.err, reference + ": error: is an image that is read, which it would replace\n");
   EXPECT_EQ(read_file(reference), before);

@@ -10,26 +10,23 @@
 #include "scenes/base/input_error.h"
 #include "scenes/files/atomic_file.h"
 #include "scenes/files/file_checksum.h"
+#include "scenes/files/test_folder.h"
 
 namespace photonproof::inline harness_verbs {
 namespace {
 
 namespace fs = std::filesystem;
 
-class ReportVerb : public testing::Test {
+class ReportVerb : public FolderTest {
  protected:
-  ReportVerb() : folder(fs::path(testing::TempDir()) / ("report-verb-" + std::string(test_name()))) {
-    fs::remove_all(folder);
-    fs::create_directory(folder);
+  void SetUp() override {
+    FolderTest::SetUp();
     Results results;
     results.suite = "tiny";
     results.created = "2026-02-03T04:05:06Z";
     results.host = {"Some CPU", "Debian 12", "Linux 6.1", 2, std::uint64_t{8} << 30};
-    write_results((folder / "results.json").string(), results);
+    write_results((folder_ / "results.json").string(), results);
   }
-  ~ReportVerb() override { fs::remove_all(folder); }
-
-  static const char* test_name() { return testing::UnitTest::GetInstance()->current_test_info()->name(); }
 
   /// The verb's output; throws as the verb does.
   std::string run(std::vector<std::string> arguments) {
@@ -49,9 +46,7 @@ class ReportVerb : public testing::Test {
     return testing::internal::GetCapturedStdout();
   }
 
-  std::string path(const char* name) const { return (folder / name).string(); }
-
-  fs::path folder;
+  std::string path(const char* name) const { return (folder_ / name).string(); }
 };
 
 TEST_F(ReportVerb, writes_html_beside_the_record_unless_told_otherwise) {
@@ -68,8 +63,8 @@ TEST_F(ReportVerb, writes_several_formats) {
 
 TEST_F(ReportVerb, writes_where_it_is_told) {
   EXPECT_EQ(run({path("results.json"), "--format", "markdown", "-o", path("other.txt")}), path("other.txt") + "\n");
-  EXPECT_TRUE(fs::exists(folder / "other.txt"));
-  EXPECT_FALSE(fs::exists(folder / "report.md"));
+  EXPECT_TRUE(fs::exists(folder_ / "other.txt"));
+  EXPECT_FALSE(fs::exists(folder_ / "report.md"));
 }
 
 TEST_F(ReportVerb, says_what_it_wrote_as_json) {
@@ -93,7 +88,7 @@ TEST_F(ReportVerb, one_file_cannot_hold_two_formats) {
               run({path("results.json"), "--format", "html,markdown", "-o", path("x")});
             }),
             "--output: error: names one file, but more than one format is asked for");
-  EXPECT_FALSE(fs::exists(folder / "x"));
+  EXPECT_FALSE(fs::exists(folder_ / "x"));
 }
 
 TEST_F(ReportVerb, an_unknown_format_is_refused_before_anything_is_written) {
@@ -101,7 +96,7 @@ TEST_F(ReportVerb, an_unknown_format_is_refused_before_anything_is_written) {
               run({path("results.json"), "--format", "html,pdf"});
             }),
             "pdf: error: no such report format; there are html, markdown, csv, latex, junit, gbench, bencher");
-  EXPECT_FALSE(fs::exists(folder / "report.html"));
+  EXPECT_FALSE(fs::exists(folder_ / "report.html"));
 }
 
 TEST_F(ReportVerb, a_missing_record_is_an_input_error) {
@@ -120,21 +115,21 @@ TEST_F(ReportVerb, says_which_image_is_not_the_one_that_was_measured) {
   result.cell = {"scene", "engine", {"spp", 1}, 1};
   result.status = Status::ok;
   result.image = "image.exr";
-  write_file_atomically(folder / "image.exr", "the image");
-  result.image_checksum = file_checksum(folder / "image.exr");
+  write_file_atomically(folder_ / "image.exr", "the image");
+  result.image_checksum = file_checksum(folder_ / "image.exr");
   results.results = {result};
   write_results(path("results.json"), results);
   const std::string words = "image.exr is not the image that was measured";
   run({path("results.json")});
   EXPECT_EQ(read_file(path("report.html")).find(words), std::string::npos);
-  write_file_atomically(folder / "image.exr", "another");
+  write_file_atomically(folder_ / "image.exr", "another");
   run({path("results.json")});
   EXPECT_NE(read_file(path("report.html")).find(words), std::string::npos);
 }
 
 TEST_F(ReportVerb, never_replaces_the_record_it_reports) {
   const std::string before = read_file(path("results.json"));
-  fs::create_symlink("results.json", folder / "link.json");
+  fs::create_symlink("results.json", folder_ / "link.json");
   for (const char* name : {"results.json", "link.json"}) try {
       run({path("results.json"), "--format", "gbench", "-o", path(name)});
       ADD_FAILURE() << name;

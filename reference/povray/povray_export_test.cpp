@@ -9,6 +9,7 @@
 #include "reference/engines/not_representable.h"
 #include "scenes/description/expect.h"
 #include "scenes/files/atomic_file.h"
+#include "scenes/files/scratch_folder.h"
 #include "scenes/parser/parser.h"
 
 namespace photonproof::inline reference_povray {
@@ -200,10 +201,10 @@ TEST(povray_mesh, is_declared_once_for_the_picture_and_for_radiosity) {
 
 TEST(povray_mesh, is_streamed_to_the_file) {
   const PovrayExport scene = exported("million");
-  const auto file = std::filesystem::path(::testing::TempDir()) / "povray_export_test.pov";
+  const ScratchFolder folder("povray-export-test");
+  const auto file = folder.path() / "scene.pov";
   write_sdl(scene, file);
   EXPECT_EQ(read_file(file), scene.sdl.str());
-  std::filesystem::remove(file);
   try {
     write_sdl(scene, "/nonexistent/scene.pov");
     FAIL();

@@ -5,6 +5,7 @@
 #include <random>
 
 #include "renderer/planning/test_compiled.h"
+#include "scenes/files/scratch_folder.h"
 #include "scenes/generators/million.h"
 #include "scenes/parser/parser.h"
 
@@ -18,12 +19,9 @@ SceneDescription load(const std::string& name) {
   if (name.rfind(generated, 0) != 0)
     return parse_scene_file(std::string(PHOTONPROOF_SOURCE_DIR) + "/scenes/library/" + name + "/scene.xml");
   const std::string count = name.substr(generated.size());
-  const auto folder = std::filesystem::temp_directory_path() / ("photonproof-bench-" + count);
-  std::filesystem::create_directories(folder);
-  write_million(folder, plan_million(std::stoull(count)));
-  SceneDescription description = parse_scene_file((folder / "scene.xml").string());
-  std::filesystem::remove_all(folder);
-  return description;
+  const ScratchFolder folder("bench-scene");
+  write_million(folder.path(), plan_million(std::stoull(count)));
+  return parse_scene_file((folder.path() / "scene.xml").string());
 }
 
 SkipSwitches switches(bool embree) { return embree ? SkipSwitches({"bvh"}) : SkipSwitches(); }

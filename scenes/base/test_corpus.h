@@ -3,6 +3,7 @@
 #pragma once
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cstdlib>
@@ -77,7 +78,8 @@ void check_corpus(const std::string& corpus, std::size_t least, Check check) {
       const std::string bytes = mutated(files[i], files[random() % files.size()], random);
       const std::string problem = check(bytes);
       if (problem.empty()) continue;
-      const std::filesystem::path kept = std::filesystem::temp_directory_path() / ("found-" + std::to_string(n));
+      const std::filesystem::path kept =
+          std::filesystem::temp_directory_path() / ("found-" + std::to_string(getpid()) + "-" + std::to_string(n));
       write_file_atomically(kept, bytes);
       ADD_FAILURE() << names[i] << ", mutation " << n << ", kept as " << kept << ": " << problem;
       return;

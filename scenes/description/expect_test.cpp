@@ -6,21 +6,16 @@
 #include <fstream>
 
 #include "scenes/base/input_error.h"
+#include "scenes/files/test_folder.h"
 
 namespace photonproof::inline scenes_description {
 namespace {
 
-namespace fs = std::filesystem;
-
-class expect_toml : public ::testing::Test {
+class expect_toml : public FolderTest {
  protected:
-  void SetUp() override {
-    path_ = (fs::temp_directory_path() / ("expect_test_" + std::to_string(getpid()) + ".toml")).string();
-  }
-  void TearDown() override { fs::remove(path_); }
   Expect read(const std::string& text) const {
-    std::ofstream(path_) << text;
-    return read_expect(path_);
+    std::ofstream(path()) << text;
+    return read_expect(path());
   }
   /// The error's text without the file's name.
   std::string message(const std::string& text) const {
@@ -28,10 +23,10 @@ class expect_toml : public ::testing::Test {
       read(text);
       return "no error";
     } catch (const InputError& error) {
-      return std::string(error.what()).substr(path_.size());
+      return std::string(error.what()).substr(path().size());
     }
   }
-  std::string path_;
+  std::string path() const { return (folder_ / "expect.toml").string(); }
 };
 
 const std::string kLeast = "purpose = \"Show it.\"\nexposure = 1\n";

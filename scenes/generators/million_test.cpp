@@ -6,6 +6,7 @@
 
 #include "scenes/description/expect.h"
 #include "scenes/files/atomic_file.h"
+#include "scenes/files/scratch_folder.h"
 #include "scenes/meshes/ply.h"
 #include "scenes/parser/parser.h"
 
@@ -33,8 +34,8 @@ TEST(million, has_a_few_hundred_rocks_as_soon_as_there_are_triangles_for_them) {
 }
 
 TEST(million, is_written_as_a_scene_of_that_many_triangles) {
-  const fs::path folder = fs::path(::testing::TempDir()) / "photonproof_million_test";
-  fs::create_directories(folder);
+  const ScratchFolder scratch("million-test");
+  const fs::path& folder = scratch.path();
   const MillionPlan plan = plan_million(5'000);
   write_million(folder, plan);
   const SceneDescription scene = parse_scene_file((folder / "scene.xml").string());
@@ -49,12 +50,11 @@ TEST(million, is_written_as_a_scene_of_that_many_triangles) {
   EXPECT_EQ(std::get<PathDescription>(scene.integrator.method).max_depth, 5);
   EXPECT_TRUE(read_expect((folder / "expect.toml").string()).unsupported.empty());
   for (const std::string& file : million_files()) EXPECT_TRUE(fs::exists(folder / file)) << file;
-  fs::remove_all(folder);
 }
 
 TEST(million, of_the_library_is_what_the_program_generates) {
-  const fs::path folder = fs::path(::testing::TempDir()) / "photonproof_million_library_test";
-  fs::create_directories(folder);
+  const ScratchFolder scratch("million-test");
+  const fs::path& folder = scratch.path();
   write_million(folder, plan_million(2'000));
   for (const std::string& file : million_files()) {
     std::string stored = read_file(fs::path(PHOTONPROOF_SOURCE_DIR "/scenes/library/million") / file);
@@ -62,7 +62,6 @@ TEST(million, of_the_library_is_what_the_program_generates) {
     if (file == "expect.toml") stored.resize(std::min(stored.find("\n[cycles]"), stored.find("\n[povray]")));
     EXPECT_EQ(read_file(folder / file), stored) << file;
   }
-  fs::remove_all(folder);
 }
 
 }  // namespace

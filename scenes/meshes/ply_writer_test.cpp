@@ -4,17 +4,19 @@
 
 #include "scenes/base/input_error.h"
 #include "scenes/files/atomic_file.h"
+#include "scenes/files/test_folder.h"
 #include "scenes/meshes/ply.h"
 
 namespace photonproof::inline scenes_meshes {
 namespace {
 
-namespace fs = std::filesystem;
-
-class PlyWriter : public ::testing::Test {
+class PlyWriter : public FolderTest {
  protected:
-  const fs::path file_ = fs::path(::testing::TempDir()) / "ply_writer_test.ply";
-  void TearDown() override { fs::remove(file_); }
+  std::filesystem::path file() const { return folder_ / "mesh.ply"; }
+  TriangleMesh written_and_read(const TriangleMesh& mesh) const {
+    write_ply(file(), mesh);
+    return read_ply(file().string());
+  }
 };
 
 /// A strip of `count` triangles with numbers that need every bit.
@@ -29,22 +31,19 @@ TriangleMesh strip(std::uint32_t count) {
 
 TEST_F(PlyWriter, writes_what_the_reader_gives_back) {
   TriangleMesh mesh = strip(100'000);  // more than one buffer of a megabyte
-  write_ply(file_, mesh);
-  EXPECT_EQ(read_ply(file_.string()), mesh);
+  EXPECT_EQ(written_and_read(mesh), mesh);
   mesh.normals.assign(mesh.positions.size(), Vec3f(0, 0, 1));
-  write_ply(file_, mesh);
-  EXPECT_EQ(read_ply(file_.string()), mesh);
+  EXPECT_EQ(written_and_read(mesh), mesh);
   mesh.uvs.assign(mesh.positions.size(), Vec2<float>{0.25f, 0.75f});
-  write_ply(file_, mesh);
-  EXPECT_EQ(read_ply(file_.string()), mesh);
+  EXPECT_EQ(written_and_read(mesh), mesh);
 }
 
 TEST_F(PlyWriter, takes_12_bytes_a_vertex_and_13_a_triangle) {
-  write_ply(file_, strip(1));
-  EXPECT_EQ(read_file(file_),
+  write_ply(file(), strip(1));
+  EXPECT_EQ(read_file(file()),
             "ply\nformat binary_little_endian 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
             "property float z\nelement face 1\nproperty list uchar uint vertex_indices\nend_header\n" +
-                read_file(file_).substr(fs::file_size(file_) - 3 * 12 - 13));
+                read_file(file()).substr(std::filesystem::file_size(file()) - 3 * 12 - 13));
 }
 
 TEST_F(PlyWriter, says_when_it_cannot_write) {

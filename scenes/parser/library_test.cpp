@@ -7,6 +7,7 @@
 
 #include "scenes/description/expect.h"
 #include "scenes/files/atomic_file.h"
+#include "scenes/files/scratch_folder.h"
 #include "scenes/generators/library_assets.h"
 #include "scenes/generators/many_lights.h"
 #include "scenes/parser/parser.h"
@@ -55,10 +56,9 @@ TEST(library, has_every_scene_that_is_asked_for) {
 }
 
 TEST(library, assets_are_what_the_program_generates) {
-  const fs::path folder = fs::path(::testing::TempDir()) / "photonproof_library_assets_test";
-  fs::create_directories(folder);
+  const ScratchFolder folder("library-test");
   for (const LibraryAsset& asset : library_assets()) {
-    const fs::path made = folder / fs::path(asset.path).filename(), kept = kLibrary + asset.path;
+    const fs::path made = folder.path() / fs::path(asset.path).filename(), kept = kLibrary + asset.path;
     asset.write(made);
     EXPECT_LT(fs::file_size(kept), 100'000u) << asset.path;
     if (!asset.image) {
@@ -70,7 +70,6 @@ TEST(library, assets_are_what_the_program_generates) {
     ASSERT_EQ(a.rgb.size(), b.rgb.size()) << asset.path;
     for (std::size_t i = 0; i < a.rgb.size(); ++i) ASSERT_NEAR(a.rgb[i], b.rgb[i], 0.01f) << asset.path << " " << i;
   }
-  fs::remove_all(folder);
 }
 
 TEST(library, many_lights_is_what_the_program_generates) {

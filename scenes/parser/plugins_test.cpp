@@ -1,12 +1,12 @@
 // Every plugin's defaults and parameters as SceneDescription has them.
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <cmath>
 #include <filesystem>
 #include <fstream>
 
 #include "scenes/files/atomic_file.h"
+#include "scenes/files/scratch_folder.h"
 #include "scenes/parser/parser.h"
 
 namespace photonproof::inline scenes_parser {
@@ -347,7 +347,6 @@ TEST(plugins, limit_how_deep_references_nest_in_either_order) {
 class files : public ::testing::Test {
  protected:
   void SetUp() override {
-    fs::remove_all(folder_);
     fs::create_directories(folder_ / "scene/pictures");
     fs::create_directories(folder_ / "common");
     Image image(2, 1);
@@ -359,8 +358,6 @@ class files : public ::testing::Test {
     image.rgb[4] = std::nanf("");
     write_exr((folder_ / "scene/nan.exr").string(), {image, {}, {}});
   }
-  void TearDown() override { fs::remove_all(folder_); }
-
   static std::string bitmap(const std::string& file, const std::string& more = "") {
     return "<bsdf type='diffuse' id='" + file + more +
            "'><texture type='bitmap' name='reflectance'><string name='filename' value='" + file + "'/>" + more +
@@ -380,8 +377,8 @@ class files : public ::testing::Test {
     }
   }
 
-  const fs::path folder_ =
-      fs::canonical(::testing::TempDir()) / ("photonproof_plugins_test_" + std::to_string(getpid()));
+  const ScratchFolder scratch_{"plugins-test"};
+  const fs::path folder_ = fs::canonical(scratch_.path());
 };
 
 TEST_F(files, of_textures_are_decoded_unless_raw_and_read_once) {

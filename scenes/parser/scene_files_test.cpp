@@ -2,11 +2,11 @@
 #include "scenes/parser/scene_files.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <filesystem>
 
 #include "scenes/files/atomic_file.h"
+#include "scenes/files/scratch_folder.h"
 #include "scenes/meshes/ply.h"
 
 namespace photonproof::inline scenes_parser {
@@ -17,7 +17,6 @@ namespace fs = std::filesystem;
 class SceneFiles : public ::testing::Test {
  protected:
   void SetUp() override {
-    fs::remove_all(folder_);
     fs::create_directories(folder_ / "scene/parts");
     TriangleMesh mesh;
     mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
@@ -26,7 +25,6 @@ class SceneFiles : public ::testing::Test {
     mesh.triangles.push_back({2, 1, 0});
     write_ply(folder_ / "two.ply", mesh);
   }
-  void TearDown() override { fs::remove_all(folder_); }
 
   static std::string shape(const std::string& filename, const std::string& more = "") {
     return "<shape type='ply'><string name='filename' value='" + filename + "'/>" + more + "</shape>";
@@ -53,8 +51,8 @@ class SceneFiles : public ::testing::Test {
     }
   }
 
-  const fs::path folder_ =
-      fs::canonical(::testing::TempDir()) / ("photonproof_scene_files_test_" + std::to_string(getpid()));
+  const ScratchFolder scratch_{"scene-files-test"};
+  const fs::path folder_ = fs::canonical(scratch_.path());
 };
 
 TEST_F(SceneFiles, gives_a_mesh_with_mitsubas_defaults) {

@@ -1,12 +1,12 @@
 #include "scenes/xml/writer.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <cmath>
 #include <filesystem>
 #include <random>
 
+#include "scenes/files/scratch_folder.h"
 #include "scenes/meshes/obj.h"
 #include "scenes/meshes/ply.h"
 #include "scenes/parser/parser.h"
@@ -38,10 +38,8 @@ TEST(writer, gives_back_every_library_scene) {
 /// A folder with a file of every kind that scenes name.
 class Files {
  public:
-  Files() : folder_(fs::path(::testing::TempDir()) / ("photonproof_writer_test_" + std::to_string(getpid()))) {
+  Files() {
     const fs::path corpora = PHOTONPROOF_CORPORA;
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
     fs::copy(corpora / "ply_corpus/ascii_quad.ply", folder_ / "a.ply");
     fs::copy(corpora / "obj_corpus/quad.obj", folder_ / "a.obj");
     fs::copy(corpora / "ies_corpus/rotational.ies", folder_ / "a.ies");
@@ -53,9 +51,6 @@ class Files {
     profile = std::make_shared<const IesProfile>(read_ies((folder_ / "a.ies").string()));
     image = std::make_shared<const Image>(grey);
   }
-  ~Files() { fs::remove_all(folder_); }
-  Files(const Files&) = delete;
-  Files& operator=(const Files&) = delete;
 
   std::string scene() const { return (folder_ / "scene.xml").string(); }
 
@@ -64,7 +59,8 @@ class Files {
   std::shared_ptr<const Image> image;
 
  private:
-  fs::path folder_;
+  const ScratchFolder scratch_{"writer-test"};
+  const fs::path& folder_ = scratch_.path();
 };
 
 /// Random but valid scenes in the parser's canonical form: objects with an id first, then the others in the order of
