@@ -528,8 +528,17 @@ def medium_cases():
     yield case("scale", rgb("sigma_t", "0.2,0.5,1") + number("scale", 3))
     yield case("isotropic", thick + element("phase", "isotropic"))
     yield case("hg", thick + element("phase", "hg"))
+    yield case("rayleigh", thick + element("phase", "rayleigh"))
+    yield case("blendphase", thick + element("phase", "blendphase", number("weight", 0.3), element(
+        "phase", "hg", number("g", 0.8)), element("phase", "hg", number("g", -0.4))))
     yield case("hg g 0.6", thick + hg)
     yield case("hg g -0.5", thick + element("phase", "hg", number("g", -0.5)))
+    # sigma_t = (0.4, 0.5, 0.6) and the albedo is the share of sigma_s in it.
+    fog = Case("medium sigma_a and sigma_s", scene(ball(bsdf("null"), medium(
+        rgb("sigma_a", "0.1,0.2,0.3") + rgb("sigma_s", "0.3,0.3,0.3") + number("scale", 3))), integrator=VOLPATH))
+    fog.twin = scene(ball(bsdf("null"), medium(rgb("sigma_t", "0.4,0.5,0.6") + rgb("albedo", "0.75,0.6,0.5") +
+                                               number("scale", 3))), integrator=VOLPATH)
+    yield fog
     yield case("in glass", thick, bsdf("dielectric"))
     yield case("in rough glass", thick, bsdf("roughdielectric", number("alpha", 0.2)))
     yield case("behind a surface", thick, grey(0.6))
@@ -543,6 +552,39 @@ def medium_cases():
                                              lights=emitter("point", point("position", "1,2,2"), number("intensity", 20))))
     yield Case("medium lit by a sun", scene(ball(bsdf("null"), medium(thick)), integrator=VOLPATH, lights=emitter(
         "directional", '<vector name="direction" value="-0.3,-1,-0.4"/>', number("irradiance", 3))))
+
+
+def volume(name, file, *content):
+    return element("volume", "gridvolume", string("filename", file), *content, name=name)
+
+
+def cloud_cases():
+    def case(name, *inside):
+        return Case(f"medium {name}", scene(ball(bsdf("null"), element("medium", "heterogeneous", *inside, name="interior")),
+                                            integrator=VOLPATH))
+
+    whole = boolean("use_grid_bbox")
+    smoke, coloured = volume("sigma_t", "smoke.vol", whole), volume("sigma_t", "coloured.vol", whole)
+    thick = number("scale", 4)
+    yield case("heterogeneous", "")
+    yield case("heterogeneous sigma_t", smoke)
+    yield case("heterogeneous scale", smoke, thick)
+    yield case("heterogeneous coloured sigma_t", coloured, thick)
+    yield case("heterogeneous albedo", smoke, thick, rgb("albedo", "0.9,0.6,0.2"))
+    yield case("heterogeneous albedo volume", coloured, thick, volume("albedo", "coloured.vol", whole, string(
+        "filter_type", "nearest")))
+    yield case("heterogeneous albedo 0", coloured, thick, number("albedo", 0))
+    yield case("heterogeneous rayleigh", smoke, thick, element("phase", "rayleigh"))
+    constant = element("volume", "constvolume", rgb("value", "0.9,0.6,0.2"), name="albedo")
+    yield case("constvolume", smoke, thick, constant)
+    for kind in ("nearest", "trilinear"):
+        yield case(f"filter_type {kind}", volume("sigma_t", "smoke.vol", whole, string("filter_type", kind)), thick)
+    for kind in ("repeat", "mirror", "clamp"):
+        yield case(f"wrap_mode {kind}", volume("sigma_t", "smoke.vol", whole, string("wrap_mode", kind)), thick,
+                   volume("albedo", "coloured.vol", string("wrap_mode", kind)))
+    yield case("volume to_world", volume("sigma_t", "smoke.vol", place(
+        '<scale x="1.5" y="1" z="1.2"/>', '<rotate y="1" angle="25"/>', '<translate x="-0.8" y="-0.2" z="-0.5"/>')), thick)
+    yield case("volume raw", volume("sigma_t", "coloured.vol", whole, boolean("raw")), thick)
 
 
 # ---- the file -------------------------------------------------------------------------------------------------------------
@@ -594,5 +636,5 @@ def spelling_cases():
 
 def all_cases():
     cases = [case for group in (integrator_cases, sensor_cases, shape_cases, texture_cases, bsdf_cases, emitter_cases,
-                                medium_cases, file_cases, spelling_cases) for case in group()]
+                                medium_cases, cloud_cases, file_cases, spelling_cases) for case in group()]
     return list({case.name: case for case in cases}.values())

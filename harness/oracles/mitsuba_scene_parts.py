@@ -151,6 +151,13 @@ def write_serialized(path, meshes):
     path.write_bytes(b"".join(parts) + struct.pack(f"<{len(parts)}QI", *offsets, len(parts)))
 
 
+def write_vol(path, values):
+    """values[z][y][x][channel] in the box from (-0.7, -0.4, -0.7) to (0.7, 1, 0.7), that of `ball`."""
+    depth, height, width, channels = np.shape(values)
+    path.write_bytes(b"VOL\x03" + struct.pack("<5i6f", 1, width, height, depth, channels, -0.7, -0.4, -0.7, 0.7, 1, 0.7) +
+                     np.asarray(values, dtype="<f4").tobytes())
+
+
 def coarse_egg(columns=10, rows=6):
     """A closed body of few triangles with a seam in u, so that facets and uv show."""
     points, normals, uv, faces = [], [], [], []
@@ -180,6 +187,9 @@ def write_files(folder):
     exr_file.write(folder / "normals.exr", half(leaning))
     light = [[[0.2 + draw.random() + (6 if (x, y) == (4, 2) else 0) for _ in range(3)] for x in range(16)] for y in range(8)]
     exr_file.write(folder / "sky.exr", half(light))
+    for name, channels in (("smoke", 1), ("coloured", 3)):
+        write_vol(folder / f"{name}.vol", [[[[draw.random() for _ in range(channels)] for _ in range(4)] for _ in range(3)]
+                                           for _ in range(5)])
     (folder / "spectrum.spd").write_text("# wavelength, value\n400 0.2\n480 0.3\n560 0.9\n640 0.6\n720 0.4\n")
     points, faces, normals, uv = coarse_egg()
     write_ply(folder / "mesh.ply", points, faces, normals, uv)
