@@ -8,10 +8,9 @@
 namespace photonproof::inline harness_references {
 namespace {
 
+/// Or varies, which volpath alone renders.
 bool scatters(const MediumDescription& medium) {
-  const auto& m = std::get<HomogeneousDescription>(medium.model);
-  const RgbD scattering = m.sigma_t * m.albedo * m.scale;
-  return std::max({scattering.x, scattering.y, scattering.z}) > 0;
+  return medium.varies() || max_component(bounds_of(medium).scattering) > 0;
 }
 
 }  // namespace

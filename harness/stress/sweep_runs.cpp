@@ -62,7 +62,10 @@ SceneDescription in_another_unit(SceneDescription scene, double by) {
   for (ShapeDescription& shape : scene.shapes) shape.to_world = scale * shape.to_world;
   for (EmitterDescription& emitter : scene.emitters) scale_light(emitter, scale, by);
   for (BsdfDescription& bsdf : scene.bsdfs) scale_bsdf(bsdf, by);
-  for (MediumDescription& medium : scene.media) std::get<HomogeneousDescription>(medium.model).scale /= by;
+  for (MediumDescription& medium : scene.media) {
+    std::visit([&](auto& model) { model.scale /= by; }, medium.model);
+    for (GridVolumeDescription* volume : volumes_of(medium)) volume->to_world = scale * volume->to_world;
+  }
   scale_camera(scene.sensor, scale, by);
   if (auto* photons = std::get_if<PhotonMapperDescription>(&scene.integrator.method)) {
     photons->global_radius *= by;

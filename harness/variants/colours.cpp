@@ -28,6 +28,9 @@ struct PluginColours {
   void colour_map(const char*, Colour& v, const scene_xml::Range&, const char*) {
     if (!emissions_only) set(v);
   }
+  void volume(const char*, VolumeColour& v, const scene_xml::Range&, const char*) {
+    if (auto* colour = std::get_if<RgbD>(&v); colour != nullptr && !emissions_only) set(*colour);
+  }
   void metal(std::optional<ComplexIor>& ior) {
     if (!ior || emissions_only) return;
     set(ior->eta);
@@ -89,8 +92,10 @@ void change_all_colours(SceneDescription& scene, const ColourChange& change) {
     std::visit([&](auto& pattern) { describe(colours, pattern); }, texture.pattern);
   }
   for (BsdfDescription& bsdf : scene.bsdfs) std::visit([&](auto& model) { describe(colours, model); }, bsdf.model);
-  for (MediumDescription& medium : scene.media)
+  for (MediumDescription& medium : scene.media) {
+    if (!volumes_of(medium).empty()) in_a_file(scene, medium.loc, "the colours of a volume stand in its file");
     std::visit([&](auto& model) { describe(colours, model); }, medium.model);
+  }
   for (const EmitterDescription& emitter : scene.emitters)
     if (std::holds_alternative<EnvmapDescription>(emitter.light) ||
         std::holds_alternative<SunSkyDescription>(emitter.light))

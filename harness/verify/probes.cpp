@@ -188,8 +188,11 @@ class Kinds {
                           [&](const FisheyeDescription&) { add("fisheye camera"); }},
                scene.sensor.camera);
     for (const MediumDescription& medium : scene.media) {
-      const RgbD albedo = std::get<HomogeneousDescription>(medium.model).albedo;
-      add(std::max({albedo.x, albedo.y, albedo.z}) > 0 ? "scattering medium" : "absorbing medium");
+      if (medium.varies())
+        add("varying medium");
+      else
+        add(max_component(std::get<HomogeneousDescription>(medium.model).albedo) > 0 ? "scattering medium"
+                                                                                     : "absorbing medium");
     }
   }
   std::vector<std::string> names() const { return {names_.begin(), names_.end()}; }

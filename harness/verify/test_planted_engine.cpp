@@ -58,7 +58,7 @@ void plant(SceneDescription& scene, const std::string& fault, const Words& words
     std::get<PerspectiveDescription>(scene.sensor.camera).principal_x += 0.5 / std::stod(after(words, "--size"));
   if (fault == "mirrored-texture") mirror_textures(scene);
   if (fault == "half-absorption")
-    for (MediumDescription& medium : scene.media) std::get<HomogeneousDescription>(medium.model).scale *= 0.5;
+    for (MediumDescription& medium : scene.media) std::visit([](auto& model) { model.scale *= 0.5; }, medium.model);
   change_materials(scene, fault);
 }
 

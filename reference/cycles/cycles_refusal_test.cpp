@@ -97,6 +97,17 @@ TEST(cycles_refuses, media_that_overlap) {
             "2:1:" + kNot + "a medium before a surface: Cycles' volumes are inside of bodies");
 }
 
+TEST(cycles_refuses, media_that_vary_and_other_phase_functions) {
+  const auto body = [](const std::string& medium) {
+    return "<shape type='cube'><bsdf type='null'/>\n" + medium + "</shape>\n";
+  };
+  EXPECT_EQ(refusal(body("<medium type='heterogeneous' name='interior'/>") + kLight),
+            "3:1:" + kNot + "a medium that varies: the export writes homogeneous media alone");
+  const std::string other = "a phase function other than isotropic and hg: the export writes those two alone";
+  EXPECT_EQ(refusal(body("<medium type='homogeneous' name='interior'><phase type='rayleigh'/></medium>") + kLight),
+            "3:1:" + kNot + other);
+}
+
 TEST(cycles_refuses, path_lengths_that_it_cannot_cut_at) {
   const auto depth = [](int n) {
     return "<integrator type='path'><integer name='max_depth' value='" + std::to_string(n) + "'/></integrator>";

@@ -163,9 +163,14 @@ std::string colour_py(CyclesScript& script, const Colour& colour) {
 }
 
 std::string medium_py(const CyclesScript& script, MediumIndex index) {
-  const auto& medium = std::get<HomogeneousDescription>(script.scene().media[index.value].model);
+  const MediumDescription& described = script.scene().media[index.value];
+  if (described.varies())
+    script.refuse(described.loc, "a medium that varies: the export writes homogeneous media alone");
+  const auto& medium = std::get<HomogeneousDescription>(described.model);
   const RgbD extinction = medium.sigma_t * medium.scale, scattering = extinction * medium.albedo;
   const auto* lobe = std::get_if<HenyeyGreensteinDescription>(&medium.phase);
+  if (lobe == nullptr && !std::holds_alternative<IsotropicDescription>(medium.phase))
+    script.refuse(described.loc, "a phase function other than isotropic and hg: the export writes those two alone");
   return "lambda g: g.medium(" + py_tuple(scattering) + ", " + py_tuple(extinction - scattering) + ", " +
          format_number(lobe ? lobe->g : 0) + ")";
 }

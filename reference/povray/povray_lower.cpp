@@ -203,7 +203,11 @@ class Lowering {
     if (!shape.interior && !shape.exterior) return std::nullopt;
     if (shape.exterior)
       throw Unrepresentable(description.where(shape.loc), "a medium before a surface; one inside it can be written");
-    const auto& medium = std::get<HomogeneousDescription>(description.media[shape.interior->value].model);
+    const MediumDescription& described = description.media[shape.interior->value];
+    if (described.varies())
+      throw Unrepresentable(description.where(shape.loc),
+                            "a medium that varies: the export writes homogeneous media alone");
+    const auto& medium = std::get<HomogeneousDescription>(described.model);
     if (max_component(medium.albedo * medium.sigma_t) > 0)
       throw Unrepresentable(description.where(shape.loc),
                             "a medium that scatters: POV-Ray scatters light once at most; one that only absorbs can be "

@@ -83,6 +83,12 @@ TEST(povray_refuses, media_that_scatter_or_stand_beside_lit_surfaces) {
                 "a medium that absorbs beside surfaces that are lit: POV-Ray's photons and radiosity do not know it");
 }
 
+TEST(povray_refuses, media_that_vary) {
+  EXPECT_EQ(
+      refusal("<shape type='cube'><bsdf type='null'/><medium type='heterogeneous' name='interior'/></shape>" + kLight),
+      "2:1:" + kNot + "a medium that varies: the export writes homogeneous media alone");
+}
+
 TEST(povray_refuses, dielectrics_that_reflect_less_than_fresnel_says) {
   const auto body = [](const std::string& kind, const std::string& more) {
     return "<shape type='" + kind + "'><bsdf type='dielectric'><float name='specular_reflectance' value='0.5'/>" +

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "scenes/base/text_numbers.h"
 #include "scenes/description/emitter_kinds.h"
 
 namespace photonproof::inline renderer_integrators {
@@ -31,7 +32,9 @@ std::vector<bool> media_in_use(const SceneDescription& description) {
 }
 
 bool scatters(const MediumDescription& medium) {
-  return std::visit([](const auto& m) { return max_component(m.albedo) > 0; }, medium.model);
+  if (const auto* cloud = std::get_if<HeterogeneousDescription>(&medium.model))
+    return max_component(most(cloud->albedo)) > 0;
+  return max_component(std::get<HomogeneousDescription>(medium.model).albedo) > 0;
 }
 
 /// Whether mirrors or glass may reflect or refract light that no camera path finds.
@@ -50,17 +53,49 @@ std::string advice(const SceneDescription& description, bool any_scatters) {
              : "use 'bdpt'";
 }
 
+/// Mean free paths across a medium that varies, at its largest extinction and along the diagonal of its box.
+double most_free_paths(const MediumDescription& medium) {
+  const auto& cloud = std::get<HeterogeneousDescription>(medium.model);
+  Vec3d edges(1.0);
+  Transform to_world;
+  if (const auto* grid = std::get_if<GridVolumeDescription>(&cloud.sigma_t)) {
+    to_world = grid->to_world;
+    if (grid->use_grid_bbox) edges = Vec3d(grid->grid->high) - Vec3d(grid->grid->low);
+  }
+  double diagonal = 0;
+  for (const Vec3d& edge : {Vec3d{edges.x, 0, 0}, {0, edges.y, 0}, {0, 0, edges.z}})
+    diagonal += length(to_world.vector(edge));
+  return max_component(bounds_of(medium).extinction) * diagonal;
+}
+
+/// Beyond, a path takes too many collisions to end.
+constexpr double limit_of_free_paths = 1e6;
+
+void check_density(const SceneDescription& description, const MediumDescription& medium) {
+  if (!medium.varies()) return;
+  const double paths = most_free_paths(medium);
+  if (!(paths <= limit_of_free_paths))
+    throw InputError(description.where(medium.loc), "the medium is up to " + format_number(paths) +
+                                                        " mean free paths across, expected at most 1e6: light would "
+                                                        "collide too often to be followed");
+}
+
 void check_media(const SceneDescription& description, const Integrator& row) {
   const std::vector<bool> used = media_in_use(description);
   bool any_scatters = false;
   for (std::size_t i = 0; i < used.size(); ++i)
-    any_scatters = any_scatters || (used[i] && scatters(description.media[i]));
+    any_scatters = any_scatters || (used[i] && (scatters(description.media[i]) || description.media[i].varies()));
   for (std::size_t i = 0; i < used.size(); ++i) {
     const MediumDescription& medium = description.media[i];
-    if (!used[i] || row.media == Integrator::Media::all) continue;
-    if (row.media == Integrator::Media::absorbing && !scatters(medium)) continue;
-    const std::string cannot =
-        row.media == Integrator::Media::none ? "does not do media" : "does not do media that scatter";
+    if (!used[i]) continue;
+    if (row.media == Integrator::Media::all) {
+      check_density(description, medium);
+      continue;
+    }
+    if (row.media == Integrator::Media::absorbing && !scatters(medium) && !medium.varies()) continue;
+    const std::string cannot = row.media == Integrator::Media::none ? "does not do media"
+                               : medium.varies()                    ? "does not do media that vary"
+                                                                    : "does not do media that scatter";
     throw InputError(description.where(medium.loc),
                      "integrator '" + std::string(row.name) + "' " + cannot + ": " + advice(description, any_scatters));
   }

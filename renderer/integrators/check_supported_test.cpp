@@ -72,6 +72,28 @@ TEST(check_supported, refuses_media_at_the_medium_for_integrators_that_do_none) 
   }
 }
 
+TEST(check_supported, refuses_media_that_vary_for_integrators_of_light_paths) {
+  SceneDescription scene = room_of_file();
+  scene.media.push_back({{0, 7, 3}, "cloud", HeterogeneousDescription{RgbD(1), RgbD(0), 1, {}}});
+  scene.sensor.medium = MediumIndex{0};
+  for (const char* integrator : {"bdpt", "ptracer"})
+    EXPECT_EQ(refusal(scene, integrator), "room.xml:7:3: error: integrator '" + std::string(integrator) +
+                                              "' does not do media that vary: use 'volpath'");
+  EXPECT_EQ(refusal(scene, "volpath"), "");
+}
+
+TEST(check_supported, refuses_media_in_which_no_path_ends) {
+  // The unit cube is 3 long along its edges: the bound is an extinction of 1e6 / 3.
+  SceneDescription scene = room_of_file();
+  scene.media.push_back({{0, 7, 3}, "cloud", HeterogeneousDescription{RgbD(1e6), RgbD(0), 1, {}}});
+  scene.sensor.medium = MediumIndex{0};
+  EXPECT_EQ(refusal(scene, "volpath"),
+            "room.xml:7:3: error: the medium is up to 3e+06 mean free paths across, expected at most 1e6: light would "
+            "collide too often to be followed");
+  std::get<HeterogeneousDescription>(scene.media[0].model).scale = 0.3;
+  EXPECT_EQ(refusal(scene, "volpath"), "");
+}
+
 TEST(check_supported, refuses_priorities_at_the_dielectric) {
   SceneDescription scene = room_of_file();
   DielectricDescription water;

@@ -103,7 +103,8 @@ const std::vector<Integrator>& integrators() {
 }
 
 bool Integrator::can_do(const SceneMedia& scene) const {
-  const bool scatters = std::ranges::any_of(scene.media, [](const Medium& medium) { return medium.scatters; });
+  const bool scatters =
+      std::ranges::any_of(scene.media, [](const Medium& medium) { return medium.scatters || medium.varying; });
   if (scatters && media != Media::all) return false;
   if (!scene.media.empty() && media == Media::none) return false;
   return dielectric_priorities || !scene.any_priority;

@@ -63,7 +63,8 @@ class LightSurvey : ScalarTracer {
   LightSurvey(const Scene& scene, const PathLimits& limits)
       : ScalarTracer(scene, limits, std::int64_t{scene.width} * scene.height),
         cell_(lights_->ball().radius / cells_a_radius) {
-    scatters_in_media_ = std::ranges::any_of(scene.media.media, [](const Medium& m) { return m.scatters; });
+    scatters_in_media_ =
+        std::ranges::any_of(scene.media.media, [](const Medium& m) { return m.scatters || m.varying; });
   }
 
   /// Traces all paths and adds their contributions.
@@ -235,7 +236,9 @@ class LightSurvey : ScalarTracer {
   bool shows_lights(std::uint32_t edges) const { return edges > 1 || !limits_.hide_emitters; }
   static bool is_bent(const std::string& turns) { return turns.find(turn::is_thrown) != std::string::npos; }
   bool is_in_fog(const Surroundings& around) const {
-    return around.medium() != no_index && scene_interface_.scene().media.media[around.medium()].scatters;
+    if (around.medium() == no_index) return false;
+    const Medium& medium = scene_interface_.scene().media.media[around.medium()];
+    return medium.scatters || medium.varying;
   }
   /// In scattering media all light that arrives anywhere counts as lost: the share seen by the camera is unknown.
   void add_to_fog(const std::string& turns, const Rgb& throughput) {

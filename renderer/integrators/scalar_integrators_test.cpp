@@ -295,6 +295,85 @@ TEST(media, scattering_without_loss_leaves_uniform_light_as_it_is) {
   }
 }
 
+/// A grid over the unit cube whose values differ from cell to cell and, with three channels, from channel to channel.
+GridVolumeDescription cloudy_grid(float scale, int channels) {
+  VolumeGrid grid;
+  grid.width = 3;
+  grid.height = grid.depth = 2;
+  grid.channels = channels;
+  for (int i = 0; i < 12 * channels; ++i) grid.values.push_back(scale * static_cast<float>((i * 7 + 3) % 11) / 10);
+  grid.largest = *std::max_element(grid.values.begin(), grid.values.end());
+  GridVolumeDescription volume;
+  volume.grid = std::make_shared<const VolumeGrid>(grid);
+  return volume;
+}
+
+TEST(media, scattering_without_loss_in_a_cloud_leaves_uniform_light_as_it_is) {
+  // As above, with an extinction that varies: L = 1 from everywhere.
+  SceneDescription scene = test::furnace(0, 1, size);
+  HeterogeneousDescription cloud{cloudy_grid(2, 3), RgbD(1), 1, RayleighDescription{}};
+  std::get<GridVolumeDescription>(cloud.sigma_t).to_world =
+      Transform::translate(Vec3d(-1)) * Transform::scale(Vec3d(2));
+  scene.media.push_back({{}, "", cloud});
+  scene.shapes[0].exterior = MediumIndex{0};
+  scene.sensor.medium = MediumIndex{0};
+  const Blocks blocks = blocks_of(scene, "volpath", 64, 5);
+  double mean = 0, variance = 0;
+  for (std::size_t i = 0; i < blocks.mean.size(); ++i) {
+    mean += blocks.mean[i];
+    variance += blocks.error[i] * blocks.error[i];
+  }
+  const double n = static_cast<double>(blocks.mean.size());
+  EXPECT_NEAR(mean / n, 1, 3.5 * std::sqrt(variance) / n + 1e-4);
+  EXPECT_NEAR(mean / n, 1, 0.01);
+}
+
+/// A body filled by a medium, from -0.5 to 0.5, beside a wall, under a point light and a faint sky.
+SceneDescription body_of(const decltype(MediumDescription::model)& medium) {
+  SceneDescription scene = test::room(size, false);
+  scene.integrator.method = PathDescription{{-1, 50, true}};
+  scene.media.push_back({{}, "", medium});
+  scene.shapes.clear();
+  test::add_shape(scene, CubeDescription{}, Transform::translate({0, 0, -1.5}) * Transform::scale({2, 2, 0.1}),
+                  test::add_bsdf(scene, DiffuseDescription{RgbD(0.5)}));
+  test::add_shape(scene, CubeDescription{}, Transform::scale(Vec3d(0.5)), test::add_bsdf(scene, NullDescription{}))
+      .interior = MediumIndex{0};
+  scene.emitters.push_back({{}, "", PointLightDescription{{1, 1, 1}, RgbD(2)}});
+  scene.emitters.push_back({{}, "", ConstantLightDescription{RgbD(0.2)}});
+  test::set_camera(scene, Transform::look_at({0, 0, 4}, {0, 0, 0}, {0, 1, 0}), 25, size);
+  return scene;
+}
+
+TEST(media, that_could_vary_and_do_not_look_like_those_that_cannot) {
+  // The grid's cells are all the same in a channel, and its majorant is that of the densest channel. The volume is
+  // placed over the cube, and `scale` doubles it.
+  const RgbD sigma_t{0.5, 1, 2}, albedo{0.9, 0.5, 0.7};
+  VolumeGrid grid;
+  grid.width = 2;
+  grid.channels = 3;
+  for (int i = 0; i < 2; ++i)
+    for (const double v : {sigma_t.x, sigma_t.y, sigma_t.z}) grid.values.push_back(static_cast<float>(v));
+  grid.largest = 2;
+  GridVolumeDescription volume;
+  volume.grid = std::make_shared<const VolumeGrid>(grid);
+  volume.to_world = Transform::translate(Vec3d(-0.5));
+  const HenyeyGreensteinDescription phase{0.4};
+  expect_same(blocks_of(body_of(HomogeneousDescription{sigma_t, albedo, 2, phase}), "volpath", 128, 100),
+              blocks_of(body_of(HeterogeneousDescription{volume, albedo, 2, phase}), "volpath", 128, 200), 1, "cube");
+}
+
+TEST(media, that_vary_are_the_same_bits_at_1_2_and_7_threads) {
+  const SceneDescription scene = body_of(HeterogeneousDescription{cloudy_grid(3, 3), cloudy_grid(0.9f, 1), 1, {}});
+  const auto with_threads = [&](int threads) {
+    RenderJob job = job_with(3);
+    job.budget.photons.reset();
+    job.threads = threads;
+    return test::render(scene, "volpath", job).image.mean.rgb;
+  };
+  const std::vector<float> one = with_threads(1);
+  for (const int threads : {2, 7}) EXPECT_EQ(one, with_threads(threads)) << threads;
+}
+
 TEST(media, light_scattered_once_is_the_line_integral) {
   // A point light I = 1 at distance h = 1 beside the axis, sigma_t = 0.5 (half of it from `scale`), albedo 0.8, paths
   // of two edges. L = integral of sigma_s p(cos) e^(-sigma_t (t + r)) / r^2 dt with r^2 = h^2 + (t - t0)^2, by the

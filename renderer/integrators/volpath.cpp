@@ -1,13 +1,14 @@
-// Path tracing of the radiative transfer equation (Chandrasekhar 1960; Kajiya and Von Herzen 1984) in homogeneous
-// media, unbiased. Distances are sampled from the extinction. Every scattering samples a light through the media and
-// null surfaces between. The power heuristic (Veach 1997) weights this against the lights that sampled directions meet.
-// Media that only absorb scale the throughput without a random number. As in Mitsuba's volpath, surfaces that light
-// passes straight through are no path vertices: they add no depth, and light sampling passes them. The same holds for
-// lights that are hidden from the camera, up to the first vertex.
+// Path tracing of the radiative transfer equation (Chandrasekhar 1960; Kajiya and Von Herzen 1984), unbiased.
+// Distances are sampled from the extinction, by delta tracking where it varies (varying_medium.h). Every scattering
+// samples a light through the media and null surfaces between. The power heuristic (Veach 1997) weights this against
+// the lights that sampled directions meet. Homogeneous media that only absorb scale the throughput without a random
+// number. As in Mitsuba's volpath, surfaces that light passes straight through are no path vertices: they add no depth,
+// and light sampling passes them. The same holds for lights that are hidden from the camera, up to the first vertex.
 
 #include "renderer/integrators/volpath.h"
 
 #include "renderer/lanes/roulette.h"
+#include "renderer/media/varying_medium.h"
 #include "renderer/scalar/scalar_passes.h"
 #include "renderer/scalar/scalar_tracer.h"
 
@@ -78,13 +79,17 @@ class VolumetricTracer : ScalarTracer {
     if (h.surroundings.medium() == no_index) return std::nullopt;
     const Medium& medium = scene_interface_.scene().media.media[h.surroundings.medium()];
     if (!met) distance = std::numeric_limits<float>::infinity();
-    if (!medium.scatters) {
+    if (!medium.scatters && !medium.varying) {
       h.throughput *= medium.transmittance(distance);
       return std::nullopt;
     }
+    const std::uint32_t at_distance = volpath_dimension::at_step(step, volpath_dimension::distance);
     const FreeFlight flight =
-        fly(medium, h.throughput, distance, draws.one(volpath_dimension::at_step(step, volpath_dimension::channel)),
-            draws.one(volpath_dimension::at_step(step, volpath_dimension::distance)));
+        medium.varying
+            ? medium.varying->fly(h.throughput, h.ray.start(), h.ray.direction, distance,
+                                  draws_of_flight(draws, at_distance))
+            : fly(medium, h.throughput, distance,
+                  draws.one(volpath_dimension::at_step(step, volpath_dimension::channel)), draws.one(at_distance));
     h.throughput *= flight.weight;
     return flight.scattered;
   }
@@ -92,7 +97,7 @@ class VolumetricTracer : ScalarTracer {
   bool scatter_in_medium(Path& h, float distance, std::uint32_t step, const PathSampler& draws,
                          ScalarWork& work) const {
     if (!within(h.depth + 2)) return false;
-    const HenyeyGreenstein& phase = scene_interface_.scene().media.media[h.surroundings.medium()].phase;
+    const PhaseFunction& phase = scene_interface_.scene().media.media[h.surroundings.medium()].phase;
     const Vec3f p = h.ray.origin + h.ray.direction * (distance - h.ray.gap);
     const LightSeen seen = light_seen(p, step, draws);
     if (seen.pdf > 0) {

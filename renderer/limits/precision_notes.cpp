@@ -98,14 +98,15 @@ constexpr double least_steps_a_flight = 4, most_scatterings = 1e4;
 
 /// `reach` is the largest coordinate of the filled region, `radius` half of its size, both in the frame's unit.
 void add_notes_of_medium(const MediumDescription& medium, double scale, double reach, double radius, Notes& notes) {
-  const auto& fog = std::get<HomogeneousDescription>(medium.model);
-  const auto* lobe = std::get_if<HenyeyGreensteinDescription>(&fog.phase);
+  const auto [most_extinction, most_scattering] = bounds_of(medium);
+  const auto* lobe = std::get_if<HenyeyGreensteinDescription>(&phase_of(medium));
   const double g = lobe != nullptr ? lobe->g : 0;
   double densest = 0, scatterings = 0;
-  for (const auto& [sigma, albedo] :
-       {std::pair{fog.sigma_t.x, fog.albedo.x}, {fog.sigma_t.y, fog.albedo.y}, {fog.sigma_t.z, fog.albedo.z}}) {
-    if (!(albedo > 0)) continue;
-    const double extinction = sigma * fog.scale / scale, depth = extinction * radius;
+  for (const auto& [sigma_t, sigma_s] : {std::pair{most_extinction.x, most_scattering.x},
+                                         {most_extinction.y, most_scattering.y},
+                                         {most_extinction.z, most_scattering.z}}) {
+    if (!(sigma_s > 0)) continue;
+    const double extinction = sigma_t / scale, depth = extinction * radius, albedo = sigma_s / sigma_t;
     densest = std::max(densest, extinction);
     // Scatterings of a random walk to the middle, its steps correlated by g, and before absorption.
     scatterings = std::max(scatterings, std::min(0.5 * depth * depth * (1 - g), 1 / (1 - albedo)));

@@ -1,18 +1,51 @@
 #include "renderer/media/medium.h"
 
+#include <type_traits>
+
 #include "renderer/core/ray.h"
+#include "renderer/media/varying_medium.h"
 #include "scenes/base/faults.h"
 
 namespace photonproof::inline renderer_media {
 namespace {
 
-Medium compile(const HomogeneousDescription& d) {
+struct CompileLobe {
+  PhaseFunction::Lobe operator()(const IsotropicDescription&) const { return HenyeyGreenstein{}; }
+  PhaseFunction::Lobe operator()(const RayleighDescription&) const { return Rayleigh{}; }
+  PhaseFunction::Lobe operator()(const HenyeyGreensteinDescription& d) const {
+    return HenyeyGreenstein{static_cast<float>(has_fault(Fault::backward_phase) ? -d.g : d.g)};
+  }
+};
+
+PhaseFunction compile_phase(const PhaseDescription& d) {
+  return std::visit(
+      []<class Phase>(const Phase& phase) -> PhaseFunction {
+        if constexpr (std::is_same_v<Phase, BlendPhaseDescription>)
+          return {std::visit(CompileLobe(), phase.first), std::visit(CompileLobe(), phase.second),
+                  static_cast<float>(phase.weight)};
+        else
+          return {CompileLobe()(phase), {}, 0};
+      },
+      d);
+}
+
+double with_fault(double scale) { return has_fault(Fault::thin_medium) ? 0.9 * scale : scale; }
+
+Medium compile(const HomogeneousDescription& d, const MediaFrame&) {
   Medium medium;
-  medium.sigma_t = Rgb(d.sigma_t * (has_fault(Fault::thin_medium) ? 0.9 * d.scale : d.scale));
+  medium.sigma_t = Rgb(d.sigma_t * with_fault(d.scale));
   medium.albedo = Rgb(d.albedo);
-  if (const auto* phase = std::get_if<HenyeyGreensteinDescription>(&d.phase))
-    medium.phase.g = static_cast<float>(has_fault(Fault::backward_phase) ? -phase->g : phase->g);
+  medium.phase = compile_phase(d.phase);
   medium.scatters = max_component(medium.sigma_t * medium.albedo) > 0;
+  return medium;
+}
+
+Medium compile(HeterogeneousDescription d, const MediaFrame& frame) {
+  d.scale = with_fault(d.scale);
+  Medium medium;
+  medium.phase = compile_phase(d.phase);
+  medium.varying = std::make_shared<const VaryingMedium>(d, frame);
+  medium.scatters = medium.varying->scatters();
   return medium;
 }
 
@@ -34,10 +67,10 @@ FreeFlight fly(const Medium& medium, const Rgb& throughput, float distance, floa
   return {t, scattering * medium.albedo / dot(chance, scattering)};
 }
 
-SceneMedia compile_media(const SceneDescription& description) {
+SceneMedia compile_media(const SceneDescription& description, const MediaFrame& frame) {
   SceneMedia media;
   for (const MediumDescription& m : description.media)
-    media.media.push_back(std::visit([](const auto& model) { return compile(model); }, m.model));
+    media.media.push_back(std::visit([&](const auto& model) { return compile(model, frame); }, m.model));
   for (const BsdfDescription& b : description.bsdfs) {
     InteriorDescription interior;
     if (const auto* glass = std::get_if<DielectricDescription>(&b.model))

@@ -1,38 +1,38 @@
-// Participating media, homogeneous: the distance light travels in them and its direction after scattering. Also the
-// interiors of glass that may overlap, with the scene file's order of precedence.
+// Participating media: the distance light travels in them and its direction after scattering. Also the interiors of
+// glass that may overlap, with the scene file's order of precedence.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <vector>
 
 #include "renderer/lanes/warp.h"
+#include "renderer/media/free_flight.h"
 #include "renderer/media/phase.h"
 #include "scenes/description/description.h"
 
 namespace photonproof::inline renderer_media {
 
+class VaryingMedium;  // varying_medium.h
+struct MediaFrame;
+
 struct Medium {
   Rgb sigma_t;  ///< extinction per scene unit
   Rgb albedo;   ///< the part of it that scatters
-  HenyeyGreenstein phase;
+  PhaseFunction phase;
   bool scatters = false;
+  std::shared_ptr<const VaryingMedium> varying;  ///< empty where the medium is homogeneous; else sigma_t is 0
 
-  /// By Beer and Lambert.
+  /// By Beer and Lambert, where the medium is homogeneous.
   Rgb transmittance(float distance) const {
     const auto of = [&](float extinction) { return extinction > 0 ? std::exp(-extinction * distance) : 1.0f; };
     return {of(sigma_t.x), of(sigma_t.y), of(sigma_t.z)};  // the distance may be infinite
   }
 };
 
-/// A path's distance to its next scattering, if that comes before `distance`.
-struct FreeFlight {
-  std::optional<float> scattered;  ///< where
-  Rgb weight;                      ///< transmittance, and albedo x extinction where it scattered, over the density
-};
-
-/// Samples a distance for one channel, chosen in proportion to its throughput, and weights it against the others'
-/// densities (one-sample balance heuristic, Veach 1997, section 9.2.4). So the sum of the channels' throughputs never
-/// grows, however colours differ in extinction.
+/// In a homogeneous medium, up to `distance`. Samples a distance for one channel, chosen in proportion to its
+/// throughput, and weights it against the others' densities (one-sample balance heuristic, Veach 1997, section 9.2.4).
+/// So the sum of the channels' throughputs never grows, however colours differ in extinction.
 FreeFlight fly(const Medium& medium, const Rgb& throughput, float distance, float u_channel, float u_distance);
 
 /// A dielectric's interior, as its priority defines it.
@@ -47,6 +47,7 @@ struct SceneMedia {
   std::uint32_t around_camera;                 ///< index of a medium, or no_index
   bool any_priority = false;
 };
-SceneMedia compile_media(const SceneDescription& description);
+/// `frame`: of rays; the description is in its unit already.
+SceneMedia compile_media(const SceneDescription& description, const MediaFrame& frame);
 
 }  // namespace photonproof::inline renderer_media

@@ -18,6 +18,7 @@ struct Ray {
   std::uint32_t from = no_index;  ///< primitive that it leaves, in a small scene
   float gap = 0;                  ///< distance of its origin from the surface it leaves
 
+  Vec3f start() const { return origin - direction * gap; }  ///< on the surface
   /// Distance of a point ahead from the surface: the length that media on the way count.
   float way_to(const Vec3f& p) const { return length(p - origin) + gap; }
 };

@@ -4,6 +4,8 @@
 #include <limits>
 #include <variant>
 
+#include "renderer/media/varying_medium.h"
+
 namespace photonproof::inline renderer_scalar {
 
 const Surroundings::Interior* Surroundings::top() const {
@@ -127,10 +129,14 @@ Rgb transmittance(const SceneInterface& scene, const SegmentEnd& from, const Seg
     return Rgb(scene.visible(from, to) ? 1.0f : 0.0f);
   const std::vector<Medium>& media = scene.scene().media.media;
   Rgb left(1.0f);
-  const auto attenuate = [&](float distance) {
-    if (surroundings.medium() != no_index) left *= media[surroundings.medium()].transmittance(distance);
-  };
   Ray ray = scene.leave(from, normalize(to.p - from.p));
+  const auto attenuate = [&](float distance) {
+    if (surroundings.medium() == no_index) return;
+    const Medium& medium = media[surroundings.medium()];
+    left *= medium.varying
+                ? medium.varying->transmittance(ray.start(), ray.direction, distance, draws_of_flight(draws, dimension))
+                : medium.transmittance(distance);
+  };
   constexpr float at_the_end = 1e-3f;  // part of the segment within which its own end is met
   const float whole = length(to.p - from.p);
   for (;; ++dimension) {

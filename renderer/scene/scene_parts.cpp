@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "renderer/lights/compile_light.h"
+#include "renderer/media/varying_medium.h"
 #include "renderer/scene/scaled_description.h"
 #include "renderer/scene/scene_shapes.h"
 #include "renderer/shapes/local_geometry.h"
@@ -53,7 +54,7 @@ SceneParts::SceneParts(const SceneDescription& in_its_unit, int width_, int heig
   const SceneDescription& description = in_other_unit ? *in_other_unit : in_its_unit;
 
   textures = std::make_shared<const Textures>(description.textures);
-  media = compile_media(description);
+  media = compile_media(description, {frame.moved, frame.scale});
   bsdfs = compile_bsdfs(description);
   SceneShapes shapes(description, *textures, frame.moved, frame.long_edge);
   lights = surface_lights(description, frame.moved, texture_lookup(textures), shapes);

@@ -15,6 +15,8 @@ void visit_file_names(SceneDescription& scene, const std::function<void(std::str
   for (ShapeGroupDescription& group : scene.groups) visit_meshes(group.shapes);
   for (TextureDescription& texture : scene.textures)
     if (auto* bitmap = std::get_if<BitmapDescription>(&texture.pattern)) visit(bitmap->filename);
+  for (MediumDescription& medium : scene.media)
+    for (GridVolumeDescription* volume : volumes_of(medium)) visit(volume->filename);
   for (EmitterDescription& emitter : scene.emitters) {
     if (auto* map = std::get_if<EnvmapDescription>(&emitter.light)) visit(map->filename);
     if (auto* profile = std::get_if<IesLightDescription>(&emitter.light)) visit(profile->filename);

@@ -3,8 +3,10 @@
 
 #include <string>
 #include <variant>
+#include <vector>
 
 #include "scenes/description/texture_description.h"
+#include "scenes/description/volume_description.h"
 
 namespace photonproof::inline scenes_description {
 
@@ -29,12 +31,40 @@ void describe(P& p, IsotropicDescription&) {
   p.plugin("isotropic", "the same in all directions; when none is named");
 }
 
+struct RayleighDescription {
+  friend bool operator==(const RayleighDescription&, const RayleighDescription&) = default;
+};
+
+template <class P>
+void describe(P& p, RayleighDescription&) {
+  p.plugin("rayleigh", "Rayleigh 1871: molecules, 1 + the squared cosine");
+}
+
+using PhaseLobe = std::variant<IsotropicDescription, HenyeyGreensteinDescription, RayleighDescription>;
+
+struct BlendPhaseDescription {
+  double weight = 0.5;
+  PhaseLobe first, second;
+  friend bool operator==(const BlendPhaseDescription&, const BlendPhaseDescription&) = default;
+};
+
+template <class P>
+void describe(P& p, BlendPhaseDescription& d) {
+  p.plugin("blendphase", "a mixture of two");
+  p.require("weight", "a number from 0 to 1");
+  p.number("weight", d.weight, scene_xml::kShare, "share of the second");
+  p.nested("phase", 2, "both, none a `blendphase`");
+}
+
+using PhaseDescription =
+    std::variant<IsotropicDescription, HenyeyGreensteinDescription, RayleighDescription, BlendPhaseDescription>;
+
 /// Extinction sigma_t x scale per scene unit; the share `albedo` of it is scattering.
 struct HomogeneousDescription {
   RgbD sigma_t{1.0};
   RgbD albedo{0.75};
   double scale = 1;
-  std::variant<IsotropicDescription, HenyeyGreensteinDescription> phase = {};
+  PhaseDescription phase = {};
   friend bool operator==(const HomogeneousDescription&, const HomogeneousDescription&) = default;
 };
 
@@ -43,6 +73,26 @@ void describe(P& p, HomogeneousDescription& d) {
   p.plugin("homogeneous", "the same everywhere");
   p.colour("sigma_t", d.sigma_t, scene_xml::kNotNegative, "extinction per scene unit");
   p.colour("albedo", d.albedo, scene_xml::kShare, "share of it that scatters");
+  p.also("sigma_a", scene_xml::ParamType::colour, "", "absorption per scene unit, with the next in place of these two");
+  p.also("sigma_s", scene_xml::ParamType::colour, "", "scattering per scene unit");
+  p.number("scale", d.scale, scene_xml::kNotNegative, "factor of `sigma_t`, `sigma_a` and `sigma_s`");
+  p.nested("phase", 1, "a phase function");
+}
+
+/// The same with values that vary. As in Mitsuba, the medium ends at the box of sigma_t, the unit cube of a constant.
+struct HeterogeneousDescription {
+  VolumeColour sigma_t = RgbD(1.0);
+  VolumeColour albedo = RgbD(0.75);
+  double scale = 1;
+  PhaseDescription phase = {};
+  friend bool operator==(const HeterogeneousDescription&, const HeterogeneousDescription&) = default;
+};
+
+template <class P>
+void describe(P& p, HeterogeneousDescription& d) {
+  p.plugin("heterogeneous", "varies; it ends at the box of `sigma_t`, the unit cube where that is a colour");
+  p.volume("sigma_t", d.sigma_t, scene_xml::kNotNegative, "extinction per scene unit");
+  p.volume("albedo", d.albedo, scene_xml::kShare, "share of it that scatters");
   p.number("scale", d.scale, scene_xml::kNotNegative, "factor of `sigma_t`");
   p.nested("phase", 1, "a phase function");
 }
@@ -50,7 +100,46 @@ void describe(P& p, HomogeneousDescription& d) {
 struct MediumDescription {
   SourceLoc loc;
   std::string id;
-  std::variant<HomogeneousDescription> model;
+  std::variant<HomogeneousDescription, HeterogeneousDescription> model;
+
+  bool varies() const { return std::holds_alternative<HeterogeneousDescription>(model); }
 };
+
+/// Extinction and scattering are at most these, per scene unit.
+struct MediumBounds {
+  RgbD extinction, scattering;
+};
+inline MediumBounds bounds_of(const MediumDescription& medium) {
+  const auto bounds = [](const RgbD& sigma_t, const RgbD& albedo, double scale) {
+    return MediumBounds{sigma_t * scale, sigma_t * scale * albedo};
+  };
+  if (const auto* fog = std::get_if<HomogeneousDescription>(&medium.model))
+    return bounds(fog->sigma_t, fog->albedo, fog->scale);
+  const auto& cloud = std::get<HeterogeneousDescription>(medium.model);
+  return bounds(most(cloud.sigma_t), most(cloud.albedo), cloud.scale);
+}
+
+/// The grids of a medium's values.
+inline std::vector<GridVolumeDescription*> volumes_of(MediumDescription& medium) {
+  std::vector<GridVolumeDescription*> found;
+  if (auto* cloud = std::get_if<HeterogeneousDescription>(&medium.model))
+    for (VolumeColour* value : {&cloud->sigma_t, &cloud->albedo})
+      if (auto* volume = std::get_if<GridVolumeDescription>(value)) found.push_back(volume);
+  return found;
+}
+inline std::vector<const GridVolumeDescription*> volumes_of(const MediumDescription& medium) {
+  std::vector<const GridVolumeDescription*> found;
+  if (const auto* cloud = std::get_if<HeterogeneousDescription>(&medium.model))
+    for (const VolumeColour* value : {&cloud->sigma_t, &cloud->albedo})
+      if (const auto* volume = std::get_if<GridVolumeDescription>(value)) found.push_back(volume);
+  return found;
+}
+
+inline PhaseDescription& phase_of(MediumDescription& medium) {
+  return std::visit([](auto& model) -> PhaseDescription& { return model.phase; }, medium.model);
+}
+inline const PhaseDescription& phase_of(const MediumDescription& medium) {
+  return std::visit([](const auto& model) -> const PhaseDescription& { return model.phase; }, medium.model);
+}
 
 }  // namespace photonproof::inline scenes_description

@@ -5,7 +5,7 @@
 
 namespace photonproof::scene_xml {
 
-/// `colour_map` and `number_map` may be textures, `texture` must be one.
+/// `colour_map` and `number_map` may be textures, `texture` must be one. `volume` may be a volume.
 enum class ParamType {
   boolean,
   integer,
@@ -18,6 +18,7 @@ enum class ParamType {
   emission_map,
   number_map,
   texture,
+  volume,
   point,
   transform
 };

@@ -33,6 +33,12 @@ class SceneHash {
     vector(mesh.normals);
     vector(mesh.uvs);
   }
+  void asset(const VolumeGrid& grid) {
+    vector(std::vector<float>{static_cast<float>(grid.width), static_cast<float>(grid.height),
+                              static_cast<float>(grid.channels), grid.low.x, grid.low.y, grid.low.z, grid.high.x,
+                              grid.high.y, grid.high.z});
+    vector(grid.values);
+  }
   void asset(const IesProfile& profile) {
     vector(profile.vertical_degrees);
     vector(profile.horizontal_degrees);
@@ -47,6 +53,8 @@ class SceneHash {
       if (d.mesh) asset(*d.mesh);
     if constexpr (requires { *d.profile; })
       if (d.profile) asset(*d.profile);
+    if constexpr (requires { *d.grid; })
+      if (d.grid) asset(*d.grid);
   }
   std::string hex() const { return checksum_.hex(); }
 
@@ -68,6 +76,8 @@ std::string scene_hash(const SceneDescription& scene) {
   for (const ShapeGroupDescription& group : scene.groups)
     for (const ShapeDescription& shape : group.shapes) std::visit(add, shape.geometry);
   for (const EmitterDescription& emitter : scene.emitters) std::visit(add, emitter.light);
+  for (const MediumDescription& medium : scene.media)
+    for (const GridVolumeDescription* volume : volumes_of(medium)) hash.assets_of(*volume);
   return hash.hex();
 }
 

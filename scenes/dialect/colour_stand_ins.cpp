@@ -28,9 +28,19 @@ void move_to_parameter(Element& spectrum, const char* attribute) {
   add_parameter(spectrum, "float", attribute, value);
 }
 
+/// A parameter that a constant volume stands for, by the volume's name. A volume that is placed is left as it is.
+void replace_constant_volume(Element& volume) {
+  if (volume.tag != "volume" || value_of(volume, "type") != "constvolume" || !volume.find("name")) return;
+  if (volume.children.size() != 1 || value_of(volume.children.front(), "name") != "value") return;
+  Element value = std::move(volume.children.front());
+  set_attribute(value, "name", value_of(volume, "name"));
+  volume = std::move(value);
+}
+
 }  // namespace
 
 void replace_colour(Element& colour) {
+  replace_constant_volume(colour);
   if (colour.tag == "srgb") {
     colour.tag = "rgb";
     if (colour.find("value")) set_attribute(colour, "value", decoded(value_of(colour, "value")));

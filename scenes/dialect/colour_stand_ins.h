@@ -1,4 +1,4 @@
-// Colours as Mitsuba 0.6 writes them.
+// Colours as Mitsuba 0.6 and volumes of one colour are written.
 #pragma once
 
 #include "scenes/xml/xml_source.h"
@@ -6,7 +6,8 @@
 namespace photonproof::scene_xml {
 
 /// <srgb> becomes <rgb>, <blackbody> a <spectrum> of that type, and a <spectrum> of three numbers <rgb>. The attribute
-/// `intent` goes, as the place of a colour says whether it is reflected or emitted.
+/// `intent` goes, as the place of a colour says whether it is reflected or emitted. A
+/// volume `constvolume` becomes its colour.
 void replace_colour(Element& colour);
 
 }  // namespace photonproof::scene_xml

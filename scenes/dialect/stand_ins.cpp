@@ -48,6 +48,7 @@ class Translator {
     if (element.tag == "film") translate_film(element);
     if (element.tag == "texture") replace_texture(element, notes_);
     if (element.tag == "shape") drop_smoothing(element);
+    if (element.tag == "medium") translate_medium(element);
     if (element.tag == "emitter") replace_sky(element, notes_);
     replace_colour(element);
     take_stand_in(element);
@@ -86,6 +87,16 @@ class Translator {
       if (child.tag == "string" && child.find("value") &&
           std::ranges::find(kWords, value_of(child, "name")) != kWords.end())
         set_attribute(child, "value", lower(value_of(child, "value")));
+  }
+
+  /// Mitsuba 0.6 calls the extinction `density`, and places its grids at the box of their files.
+  static void translate_medium(Element& medium) {
+    Element* density = parameter_of(medium, "density");
+    if (value_of(medium, "type") != "heterogeneous" || density == nullptr) return;
+    for (Element& child : medium.children)
+      if (child.tag == "volume" && value_of(child, "type") == "gridvolume" && !parameter_of(child, "use_grid_bbox"))
+        add_parameter(child, "boolean", "use_grid_bbox", "true");
+    set_attribute(*density, "name", "sigma_t");
   }
 
   void translate_film(Element& film) {

@@ -5,6 +5,7 @@
 
 #include "scenes/base/edit_distance.h"
 #include "scenes/base/text_numbers.h"
+#include "scenes/parser/plugins.h"
 #include "scenes/parser/scene_objects.h"
 #include "scenes/parser/spectrum_value.h"
 #include "scenes/parser/typed_spectrum.h"
@@ -26,6 +27,7 @@ const std::vector<std::string>& tags_of(ParamType type) {
       {ParamType::emission_map, {"rgb", "spectrum", "float", "texture"}},
       {ParamType::number_map, {"float", "integer", "rgb", "spectrum", "texture"}},
       {ParamType::texture, {"texture"}},
+      {ParamType::volume, {"rgb", "spectrum", "float", "volume"}},
       {ParamType::point, {"point", "vector"}},
       {ParamType::transform, {"transform"}}};
   return table.at(type);
@@ -94,7 +96,7 @@ void Params::add(const Element& parameter, const std::vector<ParamSpec>& specs) 
   if (!given_.emplace(name.value, &parameter).second)
     fail_at(sources_, name, "parameter '" + spec->name + "' of " + title_ + " is given twice");
   if (is_emission(spec->type)) emissions_.insert(spec->name);
-  if (tag == "texture") return;  // its own reader checks it
+  if (tag == "texture" || tag == "volume") return;  // its own reader checks it
   if (spec->type == ParamType::point)
     check_attributes(sources_, parameter, {"name", "x", "y", "z", "value"});
   else if (spec->type == ParamType::transform)
@@ -113,9 +115,10 @@ void Params::add_nested(const Element& child, const std::vector<ParamSpec>& spec
                         const std::vector<NestedSpec>& nested) {
   const std::string& tag = objects_.target(child).tag;
   const auto spec = std::find_if(nested.begin(), nested.end(), [&](const NestedSpec& s) { return s.tag == tag; });
-  const bool takes_textures =
-      std::any_of(specs.begin(), specs.end(), [](const ParamSpec& s) { return tags_of(s.type).back() == "texture"; });
-  if (tag == "texture" && takes_textures && spec == nested.end()) return add(child, specs);
+  const bool is_parameter =
+      (tag == "texture" || tag == "volume") &&
+      std::any_of(specs.begin(), specs.end(), [&](const ParamSpec& s) { return tags_of(s.type).back() == tag; });
+  if (is_parameter && spec == nested.end()) return add(child, specs);
   if (spec == nested.end()) {
     std::vector<std::string> expected = {"parameters"}, tags;
     for (const NestedSpec& known : nested) {
@@ -279,6 +282,18 @@ Scalar Params::number_map(const std::string& name, double fallback, double low, 
 std::optional<TextureIndex> Params::texture(const std::string& name) {
   return value_or(name, std::optional<TextureIndex>(),
                   [&](const Element& element) { return std::optional(objects_.texture(element)); });
+}
+
+VolumeColour Params::volume(const std::string& name, const RgbD& fallback, double low, double high) {
+  const auto found = given_.find(name);
+  if (found == given_.end() || objects_.target(*found->second).tag != "volume")
+    return colour(name, fallback, low, high);
+  return value_or(name, VolumeColour(fallback), [&](const Element& element) -> VolumeColour {
+    GridVolumeDescription grid = read_volume(objects_, objects_.target(element));
+    const double most = double{grid.grid->largest};
+    expect(most <= high, name, "has values up to " + format_number(most) + ", expected " + range(low, high));
+    return grid;
+  });
 }
 
 Vec3d Params::point(const std::string& name, const Vec3d& fallback) {

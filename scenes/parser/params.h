@@ -63,6 +63,8 @@ class Params {
   Scalar number_map(const std::string& name, double fallback, double low, double high);
   /// The texture `name`, empty when not given.
   std::optional<TextureIndex> texture(const std::string& name);
+  /// A colour, or a volume, whose values are at least 0.
+  VolumeColour volume(const std::string& name, const RgbD& fallback, double low, double high);
   Vec3d point(const std::string& name, const Vec3d& fallback);
   Transform transform(const std::string& name);
   /// The attribute that sets `name`, which must be given.

@@ -86,6 +86,10 @@ void PluginRows::number_map(const char* name, const Scalar& v, const Range& rang
   add(name, ParamType::number_map, format_number(std::get<double>(v)), with_texture(text_of(range)), what);
 }
 
+void PluginRows::volume(const char* name, const VolumeColour& v, const Range& range, const char* what) {
+  add(name, ParamType::volume, text_of(std::get<RgbD>(v)), text_of(range) + ", or a volume", what);
+}
+
 void PluginRows::texture(const char* name, TextureIndex, const char* what) {
   add(name, ParamType::texture, "", "a texture", what);
 }

@@ -42,6 +42,7 @@ class PluginRows {
   void colour_map(const char* name, const Colour& v, const Range& range, const char* what);
   void emission_map(const char* name, const Colour& v, const char* what);
   void number_map(const char* name, const Scalar& v, const Range& range, const char* what);
+  void volume(const char* name, const VolumeColour& v, const Range& range, const char* what);
   void texture(const char* name, TextureIndex, const char* what);
   void optional_texture(const char* name, const std::optional<TextureIndex>&, const char* what);
   template <class Value>

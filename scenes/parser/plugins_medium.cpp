@@ -1,4 +1,5 @@
-// Mitsuba 3's homogeneous medium with the phase functions isotropic and hg.
+// Mitsuba 3's media, their phase functions, and the volumes of their values. Mitsuba 0.6 gives a homogeneous medium's
+// absorption and scattering in place of extinction and albedo.
 #include "scenes/description/description.h"
 #include "scenes/parser/plugin_reader.h"
 
@@ -6,18 +7,68 @@ namespace photonproof::scene_xml {
 namespace {
 
 using Model = decltype(MediumDescription::model);
-using Phase = decltype(HomogeneousDescription::phase);
+using Volume = std::variant<GridVolumeDescription>;
+
+/// Also completes nothing, where a phase function has nothing nested.
+struct CompletePhase {
+  Params& params;
+
+  template <class Phase>
+  void operator()(Phase&) const {}
+  void operator()(BlendPhaseDescription& d) const {
+    static const std::vector<Plugin<PhaseLobe>> lobes = described_plugins<PhaseLobe, CompletePhase>();
+    const auto& given = params.nested("phase");
+    if (given.size() != 2)
+      params.sources().fail(params.object().at,
+                            params.title() + " has " + std::to_string(given.size()) + " of <phase>, expected two");
+    const auto read = [&](const Element* lobe) {
+      return build_plugin(params.objects(), params.objects().target(*lobe), lobes);
+    };
+    d.first = read(given[0]);
+    d.second = read(given[1]);
+  }
+};
+
+/// sigma_t and albedo of Mitsuba 0.6's sigma_a and sigma_s, where those are given.
+void read_absorption_and_scattering(Params& params, HomogeneousDescription& d) {
+  if (!params.has("sigma_a") && !params.has("sigma_s")) return;
+  for (const char* old : {"sigma_a", "sigma_s"}) {
+    params.expect_given(old, "one beside " + std::string(old == std::string("sigma_a") ? "sigma_s" : "sigma_a"));
+    for (const char* other : {"sigma_t", "albedo"}) expect_alone(params, other, old);
+  }
+  const RgbD absorption = params.colour("sigma_a", RgbD(0.0), 0, kUnbounded);
+  const RgbD scattering = params.colour("sigma_s", RgbD(0.0), 0, kUnbounded);
+  d.sigma_t = absorption + scattering;
+  const auto share = [](double part, double whole) { return whole > 0 ? part / whole : 0; };
+  d.albedo = {share(scattering.x, d.sigma_t.x), share(scattering.y, d.sigma_t.y), share(scattering.z, d.sigma_t.z)};
+}
 
 struct CompleteMedium {
   Params& params;
 
   void operator()(HomogeneousDescription& d) const {
-    static const std::vector<Plugin<Phase>> phases = described_plugins<Phase, CompleteMedium>();
-    if (!params.nested("phase").empty())
-      d.phase = build_plugin(params.objects(), params.objects().target(params.only_nested("phase")), phases);
+    read_absorption_and_scattering(params, d);
+    read_phase(d.phase);
   }
-  void operator()(IsotropicDescription&) const {}
-  void operator()(HenyeyGreensteinDescription&) const {}
+  void operator()(HeterogeneousDescription& d) const { read_phase(d.phase); }
+
+ private:
+  void read_phase(PhaseDescription& phase) const {
+    static const std::vector<Plugin<PhaseDescription>> phases = described_plugins<PhaseDescription, CompletePhase>();
+    if (!params.nested("phase").empty())
+      phase = build_plugin(params.objects(), params.objects().target(params.only_nested("phase")), phases);
+  }
+};
+
+struct CompleteVolume {
+  Params& params;
+
+  void operator()(GridVolumeDescription& d) const {
+    const auto loaded = params.objects().files().volume(params.value_of("filename"));
+    d.filename = loaded.name;
+    d.grid = loaded.content;
+    params.expect(d.to_world.inverse().has_value(), "to_world", "is singular: it flattens the volume");
+  }
 };
 
 }  // namespace
@@ -25,6 +76,11 @@ struct CompleteMedium {
 MediumDescription read_medium(SceneObjects& objects, const Element& element) {
   static const std::vector<Plugin<Model>> table = described_plugins<Model, CompleteMedium>();
   return {objects.sources().loc(element.at), id_of(element), build_plugin(objects, element, table)};
+}
+
+GridVolumeDescription read_volume(SceneObjects& objects, const Element& element) {
+  static const std::vector<Plugin<Volume>> table = described_plugins<Volume, CompleteVolume>();
+  return std::get<GridVolumeDescription>(build_plugin(objects, element, table));
 }
 
 }  // namespace photonproof::scene_xml

@@ -306,6 +306,71 @@ TEST(plugins, read_media_of_shapes_and_cameras) {
   EXPECT_EQ(scene.sensor.medium, MediumIndex{0});
 }
 
+template <class Model>
+Model medium(const std::string& content, const std::string& version = "3.0.0", const std::string& name = "test.xml") {
+  const bool varies = std::is_same_v<Model, HeterogeneousDescription>;
+  const auto scene =
+      parse_scene_text("<scene version='" + version + "'>" + kSensor + kLight + "<medium type='" +
+                           (varies ? "heterogeneous" : "homogeneous") + "' id='m'>" + content + "</medium></scene>",
+                       name);
+  return std::get<Model>(scene.media.at(0).model);
+}
+
+TEST(plugins, read_absorption_and_scattering_in_place_of_extinction_and_albedo) {
+  // sigma_t = (1, 2, 0) + (3, 0, 0), and the share of sigma_s is 3/4, 0 and nothing of nothing.
+  const auto milk = medium<HomogeneousDescription>(
+      "<rgb name='sigma_a' value='1,2,0'/><rgb name='sigma_s' value='3,0,0'/><float name='scale' value='2'/>");
+  EXPECT_EQ(milk.sigma_t, RgbD(4, 2, 0));
+  EXPECT_EQ(milk.albedo, RgbD(0.75, 0, 0));
+  EXPECT_EQ(milk.scale, 2);
+  const auto old = medium<HomogeneousDescription>(
+      "<float name='sigmaA' value='1'/><spectrum name='sigmaS' value='1, 3, 0'/>", "0.6.0");
+  EXPECT_EQ(old.sigma_t, RgbD(2, 4, 1));
+  EXPECT_EQ(old.albedo, RgbD(0.5, 0.75, 0));
+}
+
+TEST(plugins, read_constant_volumes_as_colours) {
+  const auto fog = medium<HomogeneousDescription>(
+      "<volume type='constvolume' name='albedo'><rgb name='value' value='0.1,0.2,0.3'/></volume>"
+      "<volume type='constvolume' name='sigma_t'><float name='value' value='7'/></volume>");
+  EXPECT_EQ(fog.albedo, RgbD(0.1, 0.2, 0.3));
+  EXPECT_EQ(fog.sigma_t, RgbD(7));
+}
+
+TEST(plugins, read_phase_functions) {
+  const auto phase = [](const std::string& content) { return medium<HomogeneousDescription>(content).phase; };
+  EXPECT_EQ(phase("<phase type='rayleigh'/>"), PhaseDescription(RayleighDescription{}));
+  EXPECT_EQ(phase("<phase type='blendphase'><float name='weight' value='0.3'/><phase type='hg'/>"
+                  "<phase type='isotropic'/></phase>"),
+            PhaseDescription(BlendPhaseDescription{0.3, HenyeyGreensteinDescription{}, IsotropicDescription{}}));
+}
+
+TEST(plugins, read_grids_of_values) {
+  const std::string name = PHOTONPROOF_CORPORA "/vol_corpus/test.xml";  // 00 has one cell of value 0
+  const auto cloud = medium<HeterogeneousDescription>(
+      "<volume type='gridvolume' name='sigma_t'><string name='filename' value='03'/>"
+      "<string name='filter_type' value='nearest'/><string name='wrap_mode' value='mirror'/>"
+      "<boolean name='use_grid_bbox' value='true'/><transform name='to_world'><scale value='2'/></transform></volume>"
+      "<volume type='gridvolume' name='albedo'><string name='filename' value='00'/></volume>"
+      "<float name='scale' value='5'/><phase type='hg'/>",
+      "3.0.0", name);
+  const auto& grid = std::get<GridVolumeDescription>(cloud.sigma_t);
+  EXPECT_EQ(grid.grid->depth, 4);
+  EXPECT_EQ(grid.filter, VolumeFilter::nearest);
+  EXPECT_EQ(grid.wrap, TextureWrap::mirror);
+  EXPECT_TRUE(grid.use_grid_bbox);
+  EXPECT_EQ(grid.to_world, Transform::scale(Vec3d(2)));
+  EXPECT_EQ(std::get<GridVolumeDescription>(cloud.albedo).wrap, TextureWrap::clamp);
+  EXPECT_EQ(cloud.scale, 5);
+  EXPECT_EQ(medium<HeterogeneousDescription>(""), HeterogeneousDescription{});
+  const auto old = medium<HeterogeneousDescription>(
+      "<volume type='gridvolume' name='density'><string name='filename' value='00'/></volume>"
+      "<volume type='constvolume' name='albedo'><spectrum name='value' value='0.5'/></volume>",
+      "0.6.0", name);
+  EXPECT_TRUE(std::get<GridVolumeDescription>(old.sigma_t).use_grid_bbox);
+  EXPECT_EQ(old.albedo, VolumeColour(RgbD(0.5)));
+}
+
 TEST(plugins, share_textures_bsdfs_and_groups_by_reference) {
   const auto scene =
       parse(kSensor + kLight +

@@ -131,6 +131,13 @@ SceneFiles::Loaded<IesProfile> SceneFiles::ies(const Attribute& filename) {
   return {file.name, profile};
 }
 
+SceneFiles::Loaded<VolumeGrid> SceneFiles::volume(const Attribute& filename) {
+  const SceneFolders::File file = folders_.find(filename);
+  std::shared_ptr<const VolumeGrid>& volume = volumes_[file.real];
+  if (!volume) volume = std::make_shared<const VolumeGrid>(parsed(file, filename, kMaxVolBytes, parse_vol));
+  return {file.name, volume};
+}
+
 std::string SceneFiles::text(const Attribute& filename) {
   return read(folders_.find(filename), filename, std::size_t{1} << 20);
 }

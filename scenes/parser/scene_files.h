@@ -43,7 +43,7 @@ class SceneFolders {
   std::vector<std::filesystem::path> folders_;  // of <path>, the last one first
 };
 
-/// Loads the files that shapes, textures and lights name, each once however many share it. All functions throw
+/// Loads the files that shapes, textures, lights and volumes name, each once however many share it. All functions throw
 /// InputError at `filename`, with the place in the file where that is to blame.
 class SceneFiles {
  public:
@@ -59,6 +59,7 @@ class SceneFiles {
   /// `raw`: 8- and 16-bit samples are numbers, not sRGB.
   Loaded<Image> image(const Attribute& filename, bool raw);
   Loaded<IesProfile> ies(const Attribute& filename);
+  Loaded<VolumeGrid> volume(const Attribute& filename);
   /// The text of a small file.
   std::string text(const Attribute& filename);
 
@@ -74,6 +75,7 @@ class SceneFiles {
       meshes_;
   std::map<std::pair<std::filesystem::path, bool>, std::shared_ptr<const Image>> images_;
   std::map<std::filesystem::path, std::shared_ptr<const IesProfile>> profiles_;
+  std::map<std::filesystem::path, std::shared_ptr<const VolumeGrid>> volumes_;
 };
 
 }  // namespace photonproof::scene_xml

@@ -27,6 +27,14 @@ void MaterialWriter::use(const std::string& name, const Scalar& number) {
     xml_.number(name, std::get<double>(number));
 }
 
+void MaterialWriter::use(const std::string& name, const VolumeColour& volume) {
+  if (const auto* colour = std::get_if<RgbD>(&volume)) return xml_.rgb(name, *colour);
+  auto grid = std::get<GridVolumeDescription>(volume);
+  PluginWriter writer(*this, xml_, "volume", "", name);
+  describe(writer, grid);
+  xml_.close();
+}
+
 void MaterialWriter::use(const std::string& name, TextureIndex index) {
   const TextureDescription& texture = scene_.textures.at(index.value);
   if (texture.id.empty()) return write(texture, name);
@@ -59,6 +67,19 @@ void MaterialWriter::write(BsdfDescription bsdf) {
   xml_.close();
 }
 
+template <class Phase>
+void MaterialWriter::write_phase(Phase phase) {
+  if (std::holds_alternative<IsotropicDescription>(phase)) return xml_.leaf("phase", {{"type", "isotropic"}});
+  PluginWriter writer(*this, xml_, "phase", "");
+  std::visit([&](auto& function) { describe(writer, function); }, phase);
+  if constexpr (std::is_same_v<Phase, PhaseDescription>)
+    if (const auto* blend = std::get_if<BlendPhaseDescription>(&phase)) {
+      write_phase(blend->first);
+      write_phase(blend->second);
+    }
+  xml_.close();
+}
+
 void MaterialWriter::write(MediumDescription medium, const std::string& name) {
   PluginWriter writer(*this, xml_, "medium", medium.id, name);
   std::visit(
@@ -67,13 +88,6 @@ void MaterialWriter::write(MediumDescription medium, const std::string& name) {
         write_phase(model.phase);
       },
       medium.model);
-  xml_.close();
-}
-
-void MaterialWriter::write_phase(decltype(HomogeneousDescription::phase) phase) {
-  if (std::holds_alternative<IsotropicDescription>(phase)) return xml_.leaf("phase", {{"type", "isotropic"}});
-  PluginWriter writer(*this, xml_, "phase", "");
-  std::visit([&](auto& function) { describe(writer, function); }, phase);
   xml_.close();
 }
 

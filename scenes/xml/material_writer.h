@@ -18,6 +18,7 @@ class MaterialWriter {
   // Nested objects: a <ref> to an object with an id, else the object itself.
   void use(const std::string& name, const Colour& colour);
   void use(const std::string& name, const Scalar& number);
+  void use(const std::string& name, const VolumeColour& volume);
   void use(const std::string& name, TextureIndex index);
   void use(BsdfIndex index);
   void use(ShapeGroupIndex index) { xml_.leaf("ref", {{"id", scene_.groups.at(index.value).id}}); }
@@ -28,7 +29,8 @@ class MaterialWriter {
   void write(TextureDescription texture, const std::string& name);
   void write(BsdfDescription bsdf);
   void write(MediumDescription medium, const std::string& name);
-  void write_phase(decltype(HomogeneousDescription::phase) phase);
+  template <class Phase>
+  void write_phase(Phase phase);
 
   const SceneDescription& scene_;
   XmlWriter& xml_;

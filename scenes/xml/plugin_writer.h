@@ -41,6 +41,9 @@ class PluginWriter {
   void colour_map(const char* name, const Colour& v, const scene_xml::Range&, const char*) { materials_.use(name, v); }
   void emission_map(const char* name, const Colour& v, const char*) { materials_.use(name, v); }
   void number_map(const char* name, const Scalar& v, const scene_xml::Range&, const char*) { materials_.use(name, v); }
+  void volume(const char* name, const VolumeColour& v, const scene_xml::Range&, const char*) {
+    materials_.use(name, v);
+  }
   void texture(const char* name, TextureIndex v, const char*) { materials_.use(name, v); }
   void optional_texture(const char* name, const std::optional<TextureIndex>& v, const char*) {
     if (v) materials_.use(name, *v);

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <random>
 
+#include "scenes/files/atomic_file.h"
 #include "scenes/files/scratch_folder.h"
 #include "scenes/meshes/obj.h"
 #include "scenes/meshes/ply.h"
@@ -46,6 +47,8 @@ class Files {
     Image grey(2, 2);
     std::fill(grey.rgb.begin(), grey.rgb.end(), 0.5f);
     write_exr((folder_ / "a.exr").string(), {grey, {}, {}});
+    fs::copy(corpora / "vol_corpus/00", folder_ / "a.vol");
+    grid = std::make_shared<const VolumeGrid>(parse_vol(read_file(folder_ / "a.vol"), "a.vol"));
     mesh_of_ply = std::make_shared<const TriangleMesh>(read_ply((folder_ / "a.ply").string()));
     mesh_of_obj = std::make_shared<const TriangleMesh>(read_obj((folder_ / "a.obj").string()));
     profile = std::make_shared<const IesProfile>(read_ies((folder_ / "a.ies").string()));
@@ -57,6 +60,7 @@ class Files {
   std::shared_ptr<const TriangleMesh> mesh_of_ply, mesh_of_obj;
   std::shared_ptr<const IesProfile> profile;
   std::shared_ptr<const Image> image;
+  std::shared_ptr<const VolumeGrid> grid;
 
  private:
   const ScratchFolder scratch_{"writer-test"};
@@ -257,10 +261,24 @@ class RandomScene {
     }
   }
 
-  HomogeneousDescription medium() {
-    HomogeneousDescription m{bright(), rgb(), positive(), IsotropicDescription{}};
-    if (coin()) m.phase = HenyeyGreensteinDescription{1.9 * unit() - 0.95};
-    return m;
+  PhaseLobe lobe() {
+    if (coin()) return HenyeyGreensteinDescription{1.9 * unit() - 0.95};
+    if (coin()) return RayleighDescription{};
+    return IsotropicDescription{};
+  }
+  PhaseDescription phase() {
+    if (coin()) return BlendPhaseDescription{unit(), lobe(), lobe()};
+    return std::visit([](const auto& l) -> PhaseDescription { return l; }, lobe());
+  }
+  VolumeColour volume(const RgbD& constant) {
+    if (coin()) return constant;
+    const auto wrap = static_cast<TextureWrap>(pick(3));
+    return GridVolumeDescription{"a.vol", files_.grid, coin(),      static_cast<VolumeFilter>(pick(2)),
+                                 wrap,    coin(),      similarity()};
+  }
+  decltype(MediumDescription::model) medium() {
+    if (coin()) return HeterogeneousDescription{volume(bright()), volume(rgb()), positive(), phase()};
+    return HomogeneousDescription{bright(), rgb(), positive(), phase()};
   }
   MediumIndex any_medium() {
     if (named_media_ > 0 && coin()) return {static_cast<std::uint32_t>(pick(named_media_))};

@@ -1,0 +1,162 @@
+#include "renderer/media/varying_medium.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace photonproof::inline renderer_media {
+namespace {
+
+/// From the frame of rays to the unit cube over which the value is given.
+Transform to_unit_cube(const GridVolumeDescription* grid, const MediaFrame& frame) {
+  Transform placed = Transform::translate(frame.moved) * Transform::scale(Vec3d(frame.scale));
+  if (grid != nullptr) placed = placed * grid->to_world;
+  if (grid != nullptr && grid->use_grid_bbox) {
+    const Vec3d low(grid->grid->low), high(grid->grid->high);
+    placed = placed * Transform::translate(low) * Transform::scale(high - low);
+  }
+  return *placed.inverse();  // the parser refuses others
+}
+
+constexpr float most_index = 1 << 30;
+
+std::array<float, 3> by_axis(const Vec3f& v) { return {v.x, v.y, v.z}; }
+
+float bounded(float x) { return x > -most_index ? std::min(x, most_index) : -most_index; }  // NaN, too
+
+}  // namespace
+
+Volume::Volume(const VolumeColour& value, const MediaFrame& frame) {
+  const auto* grid = std::get_if<GridVolumeDescription>(&value);
+  const Transform map = to_unit_cube(grid, frame);
+  for (std::size_t row = 0; row < 3; ++row)
+    axes_[row] = Vec3f(Vec3d(map.m[4 * row], map.m[4 * row + 1], map.m[4 * row + 2]));
+  offset_ = Vec3f(Vec3d(map.m[3], map.m[7], map.m[11]));
+  if (grid == nullptr) {
+    constant_ = Rgb(std::get<RgbD>(value));
+    return;
+  }
+  grid_ = grid->grid;
+  filter_ = grid->filter;
+  wrap_ = grid->wrap;
+}
+
+Vec3f Volume::local_point(const Vec3f& p) const {
+  return Vec3f(dot(axes_[0], p), dot(axes_[1], p), dot(axes_[2], p)) + offset_;
+}
+
+Volume::Span Volume::inside(const Vec3f& origin, const Vec3f& direction, float distance) const {
+  const std::array<float, 3> from = by_axis(local_point(origin));
+  Span span{0, distance};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const float along = dot(axes_[axis], direction);
+    if (along == 0) {
+      if (from[axis] < 0 || from[axis] > 1) return {0, 0};
+      continue;
+    }
+    const float at_low = -from[axis] / along, at_high = (1 - from[axis]) / along;
+    span.begin = std::max(span.begin, std::min(at_low, at_high));
+    span.end = std::min(span.end, std::max(at_low, at_high));
+  }
+  return span;
+}
+
+int Volume::wrapped(int i, int cells) const {
+  if (wrap_ == TextureWrap::clamp) return std::clamp(i, 0, cells - 1);
+  const int period = wrap_ == TextureWrap::mirror ? 2 * cells : cells;
+  const int at = (i % period + period) % period;
+  return at < cells ? at : period - 1 - at;
+}
+
+Rgb Volume::cell(const std::array<int, 3>& index) const {
+  const auto x = static_cast<std::size_t>(wrapped(index[0], grid_->width)),
+             y = static_cast<std::size_t>(wrapped(index[1], grid_->height)),
+             z = static_cast<std::size_t>(wrapped(index[2], grid_->depth));
+  const auto width = static_cast<std::size_t>(grid_->width), height = static_cast<std::size_t>(grid_->height);
+  const std::size_t at = (z * height + y) * width + x;
+  const std::vector<float>& values = grid_->values;
+  return grid_->channels == 1 ? Rgb(values[at]) : Rgb(values[3 * at], values[3 * at + 1], values[3 * at + 2]);
+}
+
+Rgb Volume::at(const Vec3f& p) const {
+  if (!grid_) return constant_;
+  const std::array<float, 3> local = by_axis(local_point(p));
+  const std::array<int, 3> cells = {grid_->width, grid_->height, grid_->depth};
+  const bool nearest = filter_ == VolumeFilter::nearest;
+  std::array<int, 3> low{};
+  std::array<float, 3> part{};  // of the way to the next cell
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const float x = bounded(local[axis] * static_cast<float>(cells[axis]) - (nearest ? 0.0f : 0.5f));
+    low[axis] = static_cast<int>(std::floor(x));
+    part[axis] = x - std::floor(x);
+  }
+  if (nearest) return cell(low);
+  Rgb sum(0.0f);
+  for (const int corner : {0, 1, 2, 3, 4, 5, 6, 7}) {
+    std::array<int, 3> index = low;
+    float share = 1;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const int step = corner >> axis & 1;
+      index[axis] += step;
+      share *= step == 1 ? part[axis] : 1 - part[axis];
+    }
+    if (share > 0) sum += cell(index) * share;
+  }
+  return sum;
+}
+
+VaryingMedium::VaryingMedium(const HeterogeneousDescription& d, const MediaFrame& frame)
+    : sigma_t_(d.sigma_t, frame),
+      albedo_(d.albedo, frame),
+      scale_(static_cast<float>(d.scale)),
+      majorant_(static_cast<float>(d.scale * max_component(most(d.sigma_t)))),
+      scatters_(majorant_ > 0 && max_component(most(d.albedo)) > 0) {}
+
+float VaryingMedium::next(float t, float u) const { return t - std::log1p(-u) / majorant_; }
+
+/// Rounding must not lift it above the majorant.
+Rgb VaryingMedium::extinction(const Vec3f& p) const {
+  const Rgb sigma_t = sigma_t_.at(p) * scale_;
+  return {std::min(sigma_t.x, majorant_), std::min(sigma_t.y, majorant_), std::min(sigma_t.z, majorant_)};
+}
+
+FreeFlight VaryingMedium::fly(const Rgb& throughput, const Vec3f& origin, const Vec3f& direction, float distance,
+                              const PathSampler& draws) const {
+  Rgb weight(1.0f);
+  const Volume::Span span = sigma_t_.inside(origin, direction, distance);
+  if (!(majorant_ > 0) || !(span.begin < span.end)) return {std::nullopt, weight};
+  float t = span.begin;
+  for (std::uint32_t draw = 0;; draw += 2) {
+    t = next(t, draws.one(draw));
+    if (!(t < span.end)) return {std::nullopt, weight};
+    const Vec3f p = origin + direction * t;
+    const Rgb extinction = this->extinction(p);
+    const Rgb scattering = extinction * albedo_.at(p), nothing = Rgb(majorant_) - extinction;
+    const Rgb path = throughput * weight;
+    const float scatters = dot(path, scattering), goes_on = dot(path, nothing), both = scatters + goes_on;
+    if (!(both > 0)) return {std::nullopt, Rgb(0.0f)};
+    if (draws.one(draw + 1) * both < scatters) return {t, weight * scattering * (both / (majorant_ * scatters))};
+    weight *= nothing * (both / (majorant_ * goes_on));
+  }
+}
+
+Rgb VaryingMedium::transmittance(const Vec3f& origin, const Vec3f& direction, float distance,
+                                 const PathSampler& draws) const {
+  Rgb left(1.0f);
+  const Volume::Span span = sigma_t_.inside(origin, direction, distance);
+  if (!(majorant_ > 0) || !(span.begin < span.end)) return left;
+  float t = span.begin;
+  for (std::uint32_t draw = 0; max_component(left) > 0; ++draw) {
+    t = next(t, draws.one(draw));
+    if (!(t < span.end)) return left;
+    left *= Rgb(1.0f) - extinction(origin + direction * t) / majorant_;
+  }
+  return left;
+}
+
+PathSampler draws_of_flight(PathSampler draws, std::uint32_t dimension) {
+  draws.key = mix_bits(mix_bits(draws.key ^ 0x5bd1e995u) + dimension * 0x9e3779b9u);
+  return draws;
+}
+
+}  // namespace photonproof::inline renderer_media
