@@ -100,7 +100,7 @@ struct Mean {
   }
 };
 
-constexpr std::uint32_t flights = 400'000;
+constexpr std::uint32_t flights = 500'000;
 PathSampler draws(std::uint32_t index) { return draws_of_flight({SamplerKind::independent, 7, index}, 5); }
 
 /// Extinction that grows along x from one cell to the next, another in every channel, times 1.5.
