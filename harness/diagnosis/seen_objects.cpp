@@ -159,6 +159,7 @@ Look look_of(const SceneDescription& scene, const ShapeDescription& shape) {
                                [](const PrincipledThinDescription&) { return Look::other; },
                                [](const LayeredDescription&) { return Look::other; },
                                [](const NullDescription&) { return Look::other; },
+                               [](const DiffuseTransmitterDescription&) { return Look::other; },
                                [](const WrappingBsdf auto&) { return Look::other; }},
                     scene.bsdfs[shape.bsdf.value].model);
 }

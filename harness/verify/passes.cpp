@@ -117,6 +117,10 @@ class PassMaker {
                    [&](const BumpMapDescription& d) { return kept_.textures ? Model(d) : nested(d.nested); },
                    [&](const NormalMapDescription& d) { return kept_.textures ? Model(d) : nested(d.nested); },
                    [](const NullDescription& d) { return Model(d); },
+                   [&](DiffuseTransmitterDescription d) {
+                     d.transmittance = albedo(d.transmittance);
+                     return Model(d);
+                   },
                    [](const WrappingBsdf auto& d) { return Model(d); }},
         bsdf.model);
   }
@@ -170,6 +174,7 @@ Holds what_is_in(const SceneDescription& scene) {
                           [&](const DielectricDescription&) { holds.glass = true; },
                           [&](const ThinDielectricDescription&) { holds.glass = true; },
                           [&](const RoughDielectricDescription&) { holds.glass = true; }, [](const NullDescription&) {},
+                          [&](const DiffuseTransmitterDescription&) { holds.diffuse = true; },
                           [](const WrappingBsdf auto&) {}},
                bsdf.model);
   holds.textures = !scene.textures.empty();

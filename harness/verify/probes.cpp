@@ -171,6 +171,7 @@ class Kinds {
               [&](const BlendDescription&) { add("blend"); },
               [&](const RoughConductorDescription&) { add("rough metal"); },
               [&](const RoughDielectricDescription&) { add("rough glass"); },
+              [](const DiffuseTransmitterDescription&) {},
               [&](const RoughPlasticDescription&) { add("rough plastic"); }, [](const PrincipledDescription&) {},
               [](const PrincipledThinDescription&) {}, [&](const PhongDescription&) { add("phong"); },
               [&](const LayeredDescription&) { add("lacquer"); },

@@ -46,6 +46,10 @@ TEST(cycles_refuses, principled_bsdfs) {
   EXPECT_EQ(refusal(ball("<bsdf type='principledthin'/>")), "2:22:" + kNot + "a thin principled BSDF" + why);
 }
 
+TEST(cycles_refuses, diffuse_transmitters) {
+  EXPECT_EQ(refusal(ball("<bsdf type='difftrans'/>")), "2:22:" + kNot + "a diffuse transmitter: not written yet");
+}
+
 TEST(cycles_refuses, coats_and_maps) {
   EXPECT_EQ(refusal(ball("<bsdf type='roughplastic'/>")), "2:22:" + kNot + "a rough plastic: " + kCoat);
   EXPECT_EQ(refusal(ball("<bsdf type='layered'><bsdf type='diffuse'/></bsdf>")),

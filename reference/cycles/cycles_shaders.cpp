@@ -76,6 +76,9 @@ struct Side {
   std::string operator()(const PrincipledThinDescription&) const {
     refuse(std::string("a thin principled BSDF: ") + burley);
   }
+  std::string operator()(const DiffuseTransmitterDescription&) const {
+    refuse("a diffuse transmitter: not written yet");
+  }
   std::string operator()(const BumpMapDescription&) const {
     refuse("a bump map: Cycles perturbs normals by another rule");
   }

@@ -99,6 +99,9 @@ struct Check {
     refuse(scene, bsdf, "a bump map: POV-Ray perturbs normals by another rule");
   }
   void operator()(const NormalMapDescription&) const { refuse(scene, bsdf, "a normal map: POV-Ray has none"); }
+  void operator()(const DiffuseTransmitterDescription&) const {
+    refuse(scene, bsdf, "a diffuse transmitter: POV-Ray has none");
+  }
   void operator()(const NullDescription&) const { refuse(scene, bsdf, "'null' inside another bsdf"); }
   void operator()(const MaskDescription&) const { refuse(scene, bsdf, "a mask inside another bsdf"); }
   void operator()(const TwoSidedDescription&) const { refuse(scene, bsdf, "'twosided' inside a blend"); }

@@ -41,6 +41,10 @@ TEST(povray_refuses, principled_bsdfs) {
   EXPECT_EQ(refusal(ball("<bsdf type='principledthin'/>")), "2:22:" + kNot + "a thin principled BSDF" + why);
 }
 
+TEST(povray_refuses, diffuse_transmitters) {
+  EXPECT_EQ(refusal(ball("<bsdf type='difftrans'/>")), "2:22:" + kNot + "a diffuse transmitter: POV-Ray has none");
+}
+
 TEST(povray_refuses, coats_and_maps) {
   EXPECT_EQ(refusal(ball("<bsdf type='plastic'/>")), "no refusal");
   EXPECT_EQ(refusal(ball("<bsdf type='plastic'><texture name='diffuse_reflectance' type='checkerboard'/></bsdf>")),

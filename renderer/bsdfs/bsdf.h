@@ -11,6 +11,7 @@
 
 #include "renderer/bsdfs/bsdf_conductor.h"
 #include "renderer/bsdfs/bsdf_dielectric.h"
+#include "renderer/bsdfs/bsdf_difftrans.h"
 #include "renderer/bsdfs/bsdf_diffuse.h"
 #include "renderer/bsdfs/bsdf_layered.h"
 #include "renderer/bsdfs/bsdf_null.h"
@@ -29,10 +30,10 @@
 namespace photonproof::inline renderer_bsdfs {
 
 /// One row a BSDF.
-using BsdfKinds =
-    KindList<DiffuseBsdf, ConductorBsdf, DielectricBsdf, NullBsdf, RoughConductorBsdf, ThinDielectricBsdf,
-             RoughDielectricBsdf, PlasticBsdf, RoughPlasticBsdf, PhongBsdf, LayeredDiffuseBsdf, LayeredConductorBsdf,
-             LayeredRoughConductorBsdf, LayeredPhongBsdf, PrincipledBsdf, PrincipledGlassBsdf, PrincipledThinBsdf>;
+using BsdfKinds = KindList<DiffuseBsdf, ConductorBsdf, DielectricBsdf, NullBsdf, RoughConductorBsdf, ThinDielectricBsdf,
+                           RoughDielectricBsdf, PlasticBsdf, RoughPlasticBsdf, PhongBsdf, LayeredDiffuseBsdf,
+                           LayeredConductorBsdf, LayeredRoughConductorBsdf, LayeredPhongBsdf, PrincipledBsdf,
+                           PrincipledGlassBsdf, PrincipledThinBsdf, DiffuseTransmitterBsdf>;
 
 /// A BSDF of the scene, as the host sees it.
 using Bsdf = BsdfKinds::Variant;

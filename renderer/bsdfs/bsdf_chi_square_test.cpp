@@ -26,6 +26,8 @@ std::vector<Case> cases() {
   const RgbD one(1.0);
   std::vector<Case> all;
   all.push_back({"diffuse", compiled(DiffuseDescription{one}), 50});
+  all.push_back({"difftrans", compiled(DiffuseTransmitterDescription{one}), 50});
+  all.push_back({"difftrans", compiled(DiffuseTransmitterDescription{one}), 130});
   all.push_back({"plastic", compiled(PlasticDescription{one, one, 1.5, 1.0, false}), 50});
   all.push_back({"plastic", compiled(PlasticDescription{one, one, 2.4, 1.0, true}), 88});
   all.push_back({"lacquer on diffuse",

@@ -286,6 +286,7 @@ TEST(bsdf_laws, lossless_ones_lose_nothing) {
   const RgbD one(1.0);
   for (const double degrees : {0.0, 50.0, 88.0}) {
     EXPECT_NEAR(white(compiled(DiffuseDescription{one}), degrees).value, 1, 1e-6);
+    EXPECT_NEAR(white(compiled(DiffuseTransmitterDescription{one}), degrees).value, 1, 1e-6);
     EXPECT_NEAR(white(compiled(ConductorDescription{{}, one}), degrees).value, 1, 1e-6);
     // At an index of 1000 a base sends its light through the interface 250 million times before it is out.
     for (const double eta : {1.5, 2.4, 100.0, 1000.0}) {

@@ -23,6 +23,10 @@ class Compiler {
   Bsdf operator()(const RoughConductorDescription& d) { return rough_conductor(d); }
   Bsdf operator()(const PhongDescription& d) { return phong(d); }
   Bsdf operator()(const NullDescription&) { return NullBsdf<float>{}; }
+  Bsdf operator()(const DiffuseTransmitterDescription& d) {
+    using Record = DiffuseTransmitterBsdf<float>;
+    return Record{colour(d.transmittance, offsetof(Record, transmittance))};
+  }
   Bsdf operator()(const DielectricDescription& d) {
     using Record = DielectricBsdf<float>;
     return Record{has_fault(Fault::swapped_ior) ? ratio(d.ext_ior, d.int_ior) : ratio(d.int_ior, d.ext_ior),

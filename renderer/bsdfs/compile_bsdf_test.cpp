@@ -41,6 +41,9 @@ const Rgb written(0.25f, 0.125f, 0.0625f);
 TEST(compile_bsdf, textures_write_where_their_parameters_are) {
   using Facets = MicrofacetDistribution;
   EXPECT_EQ(with_texture<DiffuseBsdf<float>>(compile(DiffuseDescription{texture}), true).reflectance, written);
+  EXPECT_EQ(
+      with_texture<DiffuseTransmitterBsdf<float>>(compile(DiffuseTransmitterDescription{texture}), true).transmittance,
+      written);
   const RgbD one(1.0);
   EXPECT_EQ(
       with_texture<DielectricBsdf<float>>(compile(DielectricDescription{1.5, 1.0, one, texture}), true).transmittance,

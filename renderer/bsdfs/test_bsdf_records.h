@@ -24,6 +24,7 @@ inline void randomise(DielectricBsdf<float>& b, Random& random) {
   b = {some_eta(random), some_colour(random), some_colour(random)};
 }
 inline void randomise(NullBsdf<float>& b, Random& random) { b = {some_colour(random)}; }
+inline void randomise(DiffuseTransmitterBsdf<float>& b, Random& random) { b = {some_colour(random)}; }
 inline void randomise(RoughConductorBsdf<float>& b, Random& random) {
   b = {some_facets(random), some_colour(random), some_switch(random), some_colour(random) * 3.0f,
        some_colour(random) * 8.0f};

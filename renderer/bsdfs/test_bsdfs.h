@@ -71,6 +71,7 @@ inline std::vector<NamedBsdf> white_bsdfs(const std::vector<double>& alphas) {
   };
   const RgbD one(1.0);
   add("diffuse", compiled(DiffuseDescription{one}), true);
+  add("difftrans", compiled(DiffuseTransmitterDescription{one}), true);
   for (const double eta : {1.5, 1 / 1.5, 2.4}) {
     const std::string with_eta = " eta " + std::to_string(eta);
     add("plastic" + with_eta, compiled(PlasticDescription{one, one, eta, 1.0, false}), true);

@@ -187,6 +187,21 @@ TEST(whitted, is_direct_light_where_nothing_is_specular) {
   expect_same(blocks_of(scene, "path", 64, 100), blocks_of(scene, "whitted", 64, 200), 1, "whitted");
 }
 
+TEST(difftrans, shows_the_share_of_a_sky_that_passes) {
+  // A sheet before a sky of radiance 1 fills the image: L = transmittance / pi * pi * 1, from either side.
+  for (const double turn : {0.0, 180.0})
+    for (const char* integrator : {"path", "bdpt", "volpath", "ptracer", "photonmapper", "whitted"}) {
+      SceneDescription scene;
+      const BsdfIndex paper = test::add_bsdf(scene, DiffuseTransmitterDescription{RgbD(0.6)});
+      test::add_shape(scene, RectangleDescription{}, Transform::rotate({0, 1, 0}, turn), paper);
+      scene.emitters.push_back({{}, "", ConstantLightDescription{RgbD(1)}});
+      test::set_camera(scene, Transform::look_at({0, 0, 1}, {0, 0, 0}, {0, 1, 0}), 60, size);
+      RenderJob job = job_with(256);
+      job.budget.photons.reset();
+      EXPECT_NEAR(test::image_mean(test::render(scene, integrator, job).image.mean), 0.6, 0.006) << integrator;
+    }
+}
+
 TEST(bdpt, weights_are_those_of_the_definition_and_sum_to_one) {
   // A path of eight vertices with random densities per solid angle and cosines. p_s is the product of f_i for i < s and
   // b_i for i >= s. Every strategy's weight by ratios is p_s^2 over the sum of squares, computed here from products.

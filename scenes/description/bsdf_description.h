@@ -435,6 +435,20 @@ void describe(P& p, PrincipledThinDescription& d) {
            "samples of the diffuse light that passes");
 }
 
+/// Lambertian transmission, the same from both sides. Nothing is reflected.
+struct DiffuseTransmitterDescription {
+  static constexpr BsdfTraits traits{
+      .transmits = true, .specular = false, .refracts = false, .focuses = false, .shows_others = false};
+  Colour transmittance = RgbD(0.5);
+  friend bool operator==(const DiffuseTransmitterDescription&, const DiffuseTransmitterDescription&) = default;
+};
+
+template <class P>
+void describe(P& p, DiffuseTransmitterDescription& d) {
+  p.plugin("difftrans", "extension: diffuse transmission, parameter of Mitsuba 0.6");
+  p.colour_map("transmittance", d.transmittance, scene_xml::kShare, "share of light that passes");
+}
+
 struct BsdfDescription {
   SourceLoc loc;
   std::string id;  ///< empty when unnamed
@@ -443,7 +457,7 @@ struct BsdfDescription {
                ThinDielectricDescription, RoughDielectricDescription, PlasticDescription, RoughPlasticDescription,
                PhongDescription, LayeredDescription, TwoSidedDescription, MaskDescription, BlendDescription,
                NullDescription, BumpMapDescription, NormalMapDescription, PrincipledDescription,
-               PrincipledThinDescription>
+               PrincipledThinDescription, DiffuseTransmitterDescription>
       model;
 };
 

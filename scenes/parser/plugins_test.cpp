@@ -61,6 +61,7 @@ TEST(plugins, give_mitsubas_defaults_of_bsdfs) {
   EXPECT_EQ(bsdf<NullDescription>("null"), NullDescription{});
   EXPECT_EQ(bsdf<PrincipledDescription>("principled"), PrincipledDescription{});
   EXPECT_EQ(bsdf<PrincipledThinDescription>("principledthin"), PrincipledThinDescription{});
+  EXPECT_EQ(bsdf<DiffuseTransmitterDescription>("difftrans"), DiffuseTransmitterDescription{});
   EXPECT_EQ(bsdf<MaskDescription>("mask", kDiffuse), (MaskDescription{0.5, {0}}));
   EXPECT_EQ(bsdf<TwoSidedDescription>("twosided", kDiffuse), (TwoSidedDescription{{0}, {0}}));
   EXPECT_EQ(bsdf<TwoSidedDescription>("twosided", kDiffuse + kDiffuse), (TwoSidedDescription{{0}, {1}}));

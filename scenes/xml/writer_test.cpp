@@ -175,7 +175,7 @@ class RandomScene {
 
   // Members are filled in the order in which the parser reads them.
   decltype(BsdfDescription::model) leaf() {
-    switch (pick(12)) {
+    switch (pick(13)) {
       case 0:
         return DiffuseDescription{colour()};
       case 1:
@@ -225,6 +225,8 @@ class RandomScene {
         m.transmitted_rate = positive();
         return m;
       }
+      case 11:
+        return DiffuseTransmitterDescription{colour()};
       default:
         return NullDescription{};
     }
