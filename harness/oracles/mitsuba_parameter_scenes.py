@@ -286,6 +286,26 @@ def texture_cases():
     yield case("checkerboard color1", texture("reflectance", "checkerboard", rgb("color1", "0.9,0.5,0.1")))
     yield case("checkerboard of bitmaps", texture("reflectance", "checkerboard", picture("color0"),
                                                   picture("color1", place('<scale value="4"/>', name="to_uv"))))
+    for name in ("vertex_color", "vertex_tint_color", "vertex_heat", "face_part", "face_dust"):
+        yield Case(f"mesh_attribute {name}", scene(painted(name)))
+    yield Case("mesh_attribute scale", scene(painted("vertex_color", number("scale", 0.6))))
+    yield Case("mesh_attribute of bytes", scene(painted("vertex_grey", number("scale", 1 / 255))))
+    weight = texture("weight", "mesh_attribute", string("name", "face_dust"))
+    yield Case("mesh_attribute of an instance", scene(shape("shapegroup", painted("face_part"), id="group"), shape(
+        "instance", '<ref id="group"/>', TURN)))
+    yield Case("mesh_attribute as a weight", scene(shape("ply", string("filename", "painted.ply"), TURN, bsdf(
+        "blendbsdf", weight, grey(0.9), grey(0.1)))))
+    # Mitsuba 3 has no such texture: its checkerboard has the products.
+    yield Case("texture scale", *(scene(ball(grey(0.5)), floor=shape("rectangle", place(
+        '<scale value="2"/>', '<rotate x="1" angle="-90"/>', '<translate y="-0.5"/>'), bsdf("diffuse", content)))
+        for content in (texture("reflectance", "scale", rgb("scale", "0.5,1.5,2"), element("texture", "checkerboard")),
+                        texture("reflectance", "checkerboard", rgb("color0", "0.2,0.6,0.8"),
+                                rgb("color1", "0.1,0.3,0.4")))))
+
+
+def painted(attribute, *more):
+    return shape("ply", string("filename", "painted.ply"), TURN, bsdf("diffuse", texture(
+        "reflectance", "mesh_attribute", string("name", attribute), *more)))
 
 
 # ---- BSDFs ----------------------------------------------------------------------------------------------------------------

@@ -121,13 +121,19 @@ def write_png(path, pixels):
                      chunk(b"IDAT", zlib.compress(lines)) + chunk(b"IEND", b""))
 
 
-def write_ply(path, points, faces, normals=None, uv=None):
+def write_ply(path, points, faces, normals=None, uv=None, of_vertices=None, of_faces=None):
+    """The last two: names of properties, which may have a type before them, and a function that draws a row of values."""
+    def declared(names):
+        return [f"property {name}" if " " in name else f"property float {name}" for name in names]
+
     columns = ["x", "y", "z"] + (["nx", "ny", "nz"] if normals else []) + (["u", "v"] if uv else [])
-    head = ["ply", "format ascii 1.0", f"element vertex {len(points)}", *(f"property float {c}" for c in columns),
-            f"element face {len(faces)}", "property list uchar int vertex_indices", "end_header"]
-    rows = [" ".join(f"{v:.6g}" for v in (*p, *(normals[i] if normals else ()), *(uv[i] if uv else ())))
+    vertex_names, vertex_values = of_vertices or ((), tuple)
+    face_names, face_values = of_faces or ((), tuple)
+    head = ["ply", "format ascii 1.0", f"element vertex {len(points)}", *declared([*columns, *vertex_names]),
+            f"element face {len(faces)}", "property list uchar int vertex_indices", *declared(face_names), "end_header"]
+    rows = [" ".join(f"{v:.6g}" for v in (*p, *(normals[i] if normals else ()), *(uv[i] if uv else ()), *vertex_values()))
             for i, p in enumerate(points)]
-    path.write_text("\n".join(head + rows + ["3 " + " ".join(map(str, f)) for f in faces]) + "\n")
+    path.write_text("\n".join(head + rows + [" ".join(f"{v:.6g}" for v in (3, *f, *face_values())) for f in faces]) + "\n")
 
 
 def write_obj(path, points, faces, normals=None, uv=None):
@@ -198,5 +204,9 @@ def write_files(folder):
                                                  (points, faces, normals, uv)])
     write_ply(folder / "bare.ply", points, faces)
     write_obj(folder / "bare.obj", points, faces)
+    write_ply(folder / "painted.ply", points, faces, normals, uv,
+              (("r", "g", "b", "tint_r", "tint_g", "tint_b", "heat_0", "uchar grey_0"),
+               lambda: [*(draw.random() for _ in range(7)), draw.randrange(256)]),
+              (("part_x", "part_y", "part_z", "dust_1"), lambda: [draw.random() for _ in range(4)]))
     (folder / "part.xml").write_text('<scene version="3.0.0">' + ball(bsdf("diffuse", rgb("reflectance", "0.2,0.8,0.1"))) +
                                      "</scene>\n")

@@ -25,6 +25,7 @@ struct PluginColours {
     if (!emissions_only) set(v);
   }
   void emission(const char*, RgbD& v, const char*) { set(v); }
+  void emission_map(const char*, Colour& v, const char*) { set(v); }
   void colour_map(const char*, Colour& v, const scene_xml::Range&, const char*) {
     if (!emissions_only) set(v);
   }
@@ -52,6 +53,7 @@ struct PluginColours {
   template <class Value>
   void choice(const char*, Value, std::initializer_list<scene_xml::Word<std::type_identity_t<Value>>>, const char*) {}
   void file(const char*, const std::string&, const char*) {}
+  void text(const char*, const std::string&, const char*) {}
   void point(const char*, const Vec3d&, const char*) {}
   void direction(const char*, const Vec3d&, const char*) {}
   void transform(const char*, const Transform&, const char*) {}
@@ -89,6 +91,8 @@ void change_all_colours(SceneDescription& scene, const ColourChange& change) {
   for (TextureDescription& texture : scene.textures) {
     if (std::holds_alternative<BitmapDescription>(texture.pattern))
       in_a_file(scene, texture.loc, "the colours of a bitmap stand in its file");
+    if (std::holds_alternative<MeshAttributeDescription>(texture.pattern))
+      in_a_file(scene, texture.loc, "the colours of a mesh stand in its file");
     std::visit([&](auto& pattern) { describe(colours, pattern); }, texture.pattern);
   }
   for (BsdfDescription& bsdf : scene.bsdfs) std::visit([&](auto& model) { describe(colours, model); }, bsdf.model);

@@ -30,6 +30,11 @@ RgbD mean_of(const SceneDescription& scene, const Colour& colour) {
   return std::visit(Overloaded{[](const BitmapDescription& bitmap) { return mean_of(*bitmap.image); },
                                [&](const CheckerboardDescription& board) {
                                  return (mean_of(scene, board.color0) + mean_of(scene, board.color1)) * 0.5;
+                               },
+                               // Every mesh has other values, from 0 to 1.
+                               [](const MeshAttributeDescription&) { return RgbD(0.5); },
+                               [&](const ScaledTextureDescription& scaled) {
+                                 return mean_of(scene, Colour(scaled.texture)) * scaled.scale;
                                }},
                     pattern);
 }

@@ -181,7 +181,8 @@ class Kinds {
           bsdf.model);
     for (const TextureDescription& texture : scene.textures)
       std::visit(Overloaded{[&](const CheckerboardDescription&) { add("checkerboard"); },
-                            [&](const BitmapDescription&) { add("bitmap"); }},
+                            [&](const BitmapDescription&) { add("bitmap"); }, [](const MeshAttributeDescription&) {},
+                            [](const ScaledTextureDescription&) {}},
                  texture.pattern);
     std::visit(Overloaded{[&](const PerspectiveDescription&) { add("perspective camera"); },
                           [&](const ThinLensDescription&) { add("thin lens"); },

@@ -66,6 +66,16 @@ TEST(cycles_refuses, dielectrics_with_a_priority) {
             "2:22:" + kNot + "a dielectric with a priority: Cycles knows no nested bodies");
 }
 
+TEST(cycles_refuses, textures_of_meshes_and_scaled_ones) {
+  const auto painted = [](const std::string& texture) {
+    return ball("<bsdf type='diffuse'><texture name='reflectance' " + texture + "</texture></bsdf>");
+  };
+  EXPECT_EQ(refusal(painted("type='mesh_attribute'><string name='name' value='face_a'/>")),
+            "2:43:" + kNot + "an attribute of a mesh: not written yet");
+  EXPECT_EQ(refusal(painted("type='scale'><texture type='checkerboard'/>")),
+            "2:43:" + kNot + "a scaled texture: not written yet");
+}
+
 TEST(cycles_refuses, lights_it_has_no_equal_of) {
   EXPECT_EQ(refusal("<emitter type='sunsky'/>"),
             "2:1:" + kNot +

@@ -161,6 +161,12 @@ std::string colour_py(CyclesScript& script, const Colour& colour) {
                                [&](const CheckerboardDescription& board) {
                                  return "g.checkerboard(" + colour_py(script, board.color0) + ", " +
                                         colour_py(script, board.color1) + ", " + rows_py(board.to_uv) + ")";
+                               },
+                               [&](const MeshAttributeDescription&) -> std::string {
+                                 script.refuse(texture.loc, "an attribute of a mesh: not written yet");
+                               },
+                               [&](const ScaledTextureDescription&) -> std::string {
+                                 script.refuse(texture.loc, "a scaled texture: not written yet");
                                }},
                     texture.pattern);
 }

@@ -32,6 +32,14 @@ ColourRange range_of(const SceneDescription& scene, const CheckerboardDescriptio
   return {(a + b) * 0.5, std::max(max_component(a), max_component(b))};
 }
 
+ColourRange range_of(const SceneDescription& scene, const MeshAttributeDescription&, const SourceLoc& loc) {
+  throw Unrepresentable(scene.where(loc), "an attribute of a mesh: not written yet");
+}
+
+ColourRange range_of(const SceneDescription& scene, const ScaledTextureDescription&, const SourceLoc& loc) {
+  throw Unrepresentable(scene.where(loc), "a scaled texture: not written yet");
+}
+
 [[noreturn]] void refuse(const SceneDescription& scene, const BsdfDescription& bsdf, const std::string& why) {
   throw Unrepresentable(scene.where(bsdf.loc), why);
 }

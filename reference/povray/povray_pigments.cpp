@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 #include <set>
+#include <stdexcept>
 #include <utility>
 
 #include "reference/optics/sky_lights.h"
@@ -123,7 +124,8 @@ std::string pigment_sdl(const SceneDescription& scene, const Colour& colour, con
                    return "pigment{checker " + sdl_rgb(constant(board.color0)) + ", " +
                           sdl_rgb(constant(board.color1)) + " translate z*-0.5 scale 0.5" + back_to_uv(board.to_uv) +
                           "}";
-                 }},
+                 },
+                 [](const auto&) -> std::string { throw std::logic_error("range_of refuses other textures"); }},
       scene.textures[index].pattern);
 }
 

@@ -110,7 +110,7 @@ struct Compiler {
     if (!d.texture) return spot;
     if (d.cutoff_degrees >= 90) throw InputError(where, "a spot light with a texture needs a cutoff_angle below 90");
     const auto [right, up] = across(spot.axis, Vec3f(d.to_world.vector({1, 0, 0})));
-    return TexturedSpotLight(spot, right, up, texture(*d.texture));
+    return TexturedSpotLight(spot, right, up, texture(*d.texture, where));
   }
 
   Light operator()(const DirectionalLightDescription& d) const {
@@ -154,12 +154,20 @@ Light with_usable_flux(Light light, const std::string& where) {
 
 }  // namespace
 
+LightTexture TextureLookup::operator()(TextureIndex texture, const std::string& where) const {
+  textures_->visit_attributes(texture.value, [&](const MeshAttributeDescription& attribute, const Rgb&) {
+    throw InputError(where, "a light cannot have the mesh attribute '" + attribute.name + "' as its texture");
+  });
+  return [textures = textures_, texture](const Vec2<float>& uv) { return textures->colour(texture.value, uv); };
+}
+
 Light compile_surface_light(const Surface& surface, const ShapeDescription& shape, const Transform& to_world,
                             const TextureLookup& texture, const std::string& where) {
   const LightShaper shaper{surface, shape, to_world, where};
-  const auto compile = Overloaded{
-      [&](TextureIndex index) -> Light { return AreaLight(std::visit(shaper, surface.geometry), texture(index)); },
-      [&](const RgbD& radiance) { return plain_light(shaper, Rgb(radiance)); }};
+  const auto compile = Overloaded{[&](TextureIndex index) -> Light {
+                                    return AreaLight(std::visit(shaper, surface.geometry), texture(index, where));
+                                  },
+                                  [&](const RgbD& radiance) { return plain_light(shaper, Rgb(radiance)); }};
   return with_usable_flux(std::visit(compile, *shape.radiance), where);
 }
 

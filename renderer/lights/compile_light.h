@@ -1,17 +1,29 @@
 // Turns the description's emitters and emitting shapes into lights.
 #pragma once
 
-#include <functional>
+#include <memory>
+#include <string>
+#include <utility>
 
 #include "renderer/lights/light.h"
 #include "renderer/shapes/scene_ball.h"
 #include "renderer/shapes/surface.h"
+#include "renderer/textures/texture.h"
 #include "scenes/description/description.h"
 
 namespace photonproof::inline renderer_lights {
 
-/// Gives the function of uv that a texture of the description stands for.
-using TextureLookup = std::function<LightTexture(TextureIndex)>;
+/// Gives lights the textures of the description. The functions share ownership of them.
+class TextureLookup {
+ public:
+  explicit TextureLookup(std::shared_ptr<const Textures> textures) : textures_(std::move(textures)) {}
+  /// Throws InputError at `where` for mesh attributes, which are no function of uv.
+  LightTexture operator()(TextureIndex texture, const std::string& where) const;
+  Vec2<int> resolution(TextureIndex texture) const { return textures_->resolution(texture.value); }
+
+ private:
+  std::shared_ptr<const Textures> textures_;
+};
 
 /// The light of an emitting shape's surface. `to_world` is the shape's, moved to the scene's origin. Throws InputError
 /// at `where` for shapes that cannot emit, or where the flux exceeds single precision.

@@ -80,7 +80,7 @@ void GatherAreas::fill(GatherQueue& points) const {
     view.area[i] = view.found[i] > 0 ? divisor(points[i], wrong * view.radius[i]) : 0.0f;
 }
 
-Vec2<float> GatherAreas::uv_at(const GatherPoint& point) const {
+GatherAreas::TexturePoint GatherAreas::texture_point(const GatherPoint& point) const {
   const Vec3f front = unit_side_normal(point.surface_side);
   std::uint32_t primitive = 0;
   if (mesh_of(scene_.surfaces[surface_number(point.surface)].geometry) !=
@@ -89,7 +89,11 @@ Vec2<float> GatherAreas::uv_at(const GatherPoint& point) const {
     const Vec3f above = offset_from(point.p, up, up, scene_.view().coordinate_floor);
     primitive = closest_hit<float>(scene_.view(), above, -up, no_index, true, false).primitive;
   }
-  return scene_.view().detail->local(surface_number(point.surface), primitive, point.p, front).uv;
+  const DetailTables& detail = *scene_.view().detail;
+  const std::uint32_t surface = surface_number(point.surface);
+  TexturePoint at{detail.local(surface, primitive, point.p, front).uv, std::nullopt};
+  if (scene_.textures->has_mesh_attributes()) at.on_mesh = detail.mesh_point(surface, primitive, point.p);
+  return at;
 }
 
 float GatherAreas::stored_share(const GatherPoint& point) const {
@@ -97,11 +101,11 @@ float GatherAreas::stored_share(const GatherPoint& point) const {
   const MayMiss& may_miss = may_miss_[surface_number(point.surface)];
   if (!(is_rough ? may_miss.rough : may_miss.lambertian)) return 1;
   const Surface& surface = scene_.surfaces[surface_number(point.surface)];
-  std::optional<Vec2<float>> uv;
+  std::optional<TexturePoint> at;
   const auto weight = [&](const TexturedNumber& n) {
     if (n.texture == no_index) return std::clamp(n.value, 0.0f, 1.0f);
-    if (!uv) uv = uv_at(point);
-    return std::clamp(scene_.textures->number(n.texture, *uv), 0.0f, 1.0f);
+    if (!at) at = texture_point(point);
+    return std::clamp(scene_.textures->number(n.texture, at->uv, at->on_mesh ? &*at->on_mesh : nullptr), 0.0f, 1.0f);
   };
   const bool behind = (point.surface_side & SurfaceSide::from_behind) != 0;
   const float share = chance_of_leaf(scene_, surface.bsdf, behind, is_rough ? can_be_rough : is_lambertian, weight);

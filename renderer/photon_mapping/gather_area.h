@@ -3,6 +3,7 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "renderer/kernels/tasks.h"
@@ -30,7 +31,12 @@ class GatherAreas {
 
  private:
   float area(const GatherPoint& point, float radius) const;
-  Vec2<float> uv_at(const GatherPoint& point) const;
+  /// The point as textures need it.
+  struct TexturePoint {
+    Vec2<float> uv;
+    std::optional<MeshPoint> on_mesh;
+  };
+  TexturePoint texture_point(const GatherPoint& point) const;
   float stored_share(const GatherPoint& point) const;
 
   const Scene& scene_;

@@ -5,19 +5,13 @@
 
 #include "renderer/lights/compile_light.h"
 #include "renderer/media/varying_medium.h"
+#include "renderer/scene/mesh_attributes.h"
 #include "renderer/scene/scaled_description.h"
 #include "renderer/scene/scene_shapes.h"
 #include "renderer/shapes/local_geometry.h"
 
 namespace photonproof::inline renderer_scene {
 namespace {
-
-/// The function by which lights evaluate textures; it shares ownership of them.
-TextureLookup texture_lookup(const std::shared_ptr<const Textures>& textures) {
-  return [textures](TextureIndex texture) -> LightTexture {
-    return [textures, texture](const Vec2<float>& uv) { return textures->colour(texture.value, uv); };
-  };
-}
 
 /// The lights of surfaces that emit; their indices are stored in the surfaces.
 std::vector<Light> surface_lights(const SceneDescription& description, const Vec3d& moved, const TextureLookup& texture,
@@ -57,7 +51,7 @@ SceneParts::SceneParts(const SceneDescription& in_its_unit, int width_, int heig
   media = compile_media(description, {frame.moved, frame.scale});
   bsdfs = compile_bsdfs(description);
   SceneShapes shapes(description, *textures, frame.moved, frame.long_edge);
-  lights = surface_lights(description, frame.moved, texture_lookup(textures), shapes);
+  lights = surface_lights(description, frame.moved, TextureLookup(textures), shapes);
   surfaces = std::move(shapes.surfaces);
   cubes = std::move(shapes.cubes);
   uv_frames = std::move(shapes.uv_frames);
@@ -66,10 +60,11 @@ SceneParts::SceneParts(const SceneDescription& in_its_unit, int width_, int heig
   boxes = boxes_around(surfaces);
   ball = scene_ball(boxes);
   for (const EmitterDescription& e : description.emitters)
-    lights.push_back(compile_light(e, frame.moved, ball, texture_lookup(textures), description.where(e.loc)));
+    lights.push_back(compile_light(e, frame.moved, ball, TextureLookup(textures), description.where(e.loc)));
   lights_can_be_hit = std::ranges::any_of(lights, [](const Light& light) { return !is_delta(light); });
   if (std::ranges::any_of(lights, [](const Light& light) { return is_delta(light); }))
     rough_limit = rough_limit_of_points;
+  check_mesh_attributes(description, *textures, bsdfs, surfaces, shapes.shape_of);
   for (const Surface& surface : surfaces) {
     plain.push_back(is_plain(bsdfs, surface) ? 1 : 0);
     bsdfs.for_each_leaf(surface.bsdf, [&](const Bsdf& leaf, bool) { bsdf_kinds |= 1u << leaf.index(); });

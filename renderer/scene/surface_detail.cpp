@@ -20,10 +20,11 @@ Vec3f perpendicular(const Vec3f& v, const Vec3f& n) {
 /// Descends from a surface's BSDF to a leaf.
 class Descent {
  public:
-  Descent(const DetailTables& tables, const LocalGeometry& at, const Vec3f& geometric_normal, const Vec3f& direction,
-          float u, TransportMode mode)
+  Descent(const DetailTables& tables, const LocalGeometry& at, const MeshPoint* on_mesh, const Vec3f& geometric_normal,
+          const Vec3f& direction, float u, TransportMode mode)
       : tables_(tables),
         at_(at),
+        on_mesh_(on_mesh),
         geometric_(geometric_normal),
         back_(-direction),
         mode_(mode),
@@ -64,6 +65,7 @@ class Descent {
  private:
   const DetailTables& tables_;
   const LocalGeometry& at_;
+  const MeshPoint* on_mesh_;
   const Vec3f geometric_, back_;
   const TransportMode mode_;
   float u_;
@@ -86,7 +88,7 @@ class Descent {
   }
 
   float number(const TexturedNumber& n) const {
-    const float value = n.texture == no_index ? n.value : tables_.textures.number(n.texture, at_.uv);
+    const float value = n.texture == no_index ? n.value : tables_.textures.number(n.texture, at_.uv, on_mesh_);
     return std::clamp(value, 0.0f, 1.0f);
   }
 
@@ -121,7 +123,7 @@ class Descent {
   Vec3f mapped(const TexturedNumber& map) const {
     const Vec3f n = front();
     const Vec3f s = perpendicular(at_.dp_du, n);
-    const Rgb rgb = tables_.textures.colour(map.texture, at_.uv);
+    const Rgb rgb = tables_.textures.colour(map.texture, at_.uv, on_mesh_);
     return s * (2 * rgb.x - 1) + cross(n, s) * (2 * rgb.y - 1) + n * (2 * rgb.z - 1);
   }
 
@@ -185,6 +187,15 @@ LocalGeometry DetailTables::local(std::uint32_t surface, std::uint32_t primitive
   return local_geometry(s, frame, triangles != nullptr ? triangles[primitive] : primitive, p, normal);
 }
 
+std::optional<MeshPoint> DetailTables::mesh_point(std::uint32_t surface, std::uint32_t primitive,
+                                                  const Vec3f& p) const {
+  const Mesh* mesh = mesh_of(surfaces[surface].geometry);
+  if (mesh == nullptr) return std::nullopt;
+  const std::uint32_t triangle = triangles != nullptr ? triangles[primitive] : primitive;
+  const Vec2<float> b = barycentric(surfaces[surface], triangle, p);
+  return MeshPoint{mesh->source.get(), triangle, b.x, b.y};
+}
+
 void detail_at(const SceneView& scene, std::uint32_t surface, std::uint32_t primitive, const Vec3f& p,
                const Vec3f& normal, const Vec3f& direction, float u, TransportMode mode, SurfaceDetail& detail) {
   const DetailTables& tables = *scene.detail;
@@ -201,7 +212,10 @@ void detail_at(const SceneView& scene, std::uint32_t surface, std::uint32_t prim
     return;
   }
   const LocalGeometry at = tables.local(surface, primitive, p, normal);
-  Descent descent(tables, at, normal, direction, u, mode);
+  std::optional<MeshPoint> on_mesh;
+  if (tables.textures.has_mesh_attributes()) on_mesh = tables.mesh_point(surface, primitive, p);
+  const MeshPoint* mesh_point = on_mesh ? &*on_mesh : nullptr;
+  Descent descent(tables, at, mesh_point, normal, direction, u, mode);
   detail.bsdf = descent.leaf_of(scene.surfaces[surface].bsdf);
   detail.kind = tables.bsdfs.kind(detail.bsdf);
   detail.normal = descent.normal;
@@ -217,10 +231,10 @@ void detail_at(const SceneView& scene, std::uint32_t surface, std::uint32_t prim
   detail.tangent = leaf.has_directions ? perpendicular(at.dp_du, detail.normal) : Vec3f(0.0f);
   for (const TextureSlot& slot : leaf.slots) {
     if (slot.is_colour) {
-      const Rgb colour = tables.textures.colour(slot.texture, at.uv);
+      const Rgb colour = tables.textures.colour(slot.texture, at.uv, mesh_point);
       std::memcpy(&detail.record[slot.word], &colour, sizeof colour);
     } else {
-      detail.record[slot.word] = tables.textures.number(slot.texture, at.uv);
+      detail.record[slot.word] = tables.textures.number(slot.texture, at.uv, mesh_point);
     }
   }
 }

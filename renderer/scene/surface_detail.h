@@ -3,6 +3,8 @@
 // needs any of it (SceneView::detailed); other scenes never call it.
 #pragma once
 
+#include <optional>
+
 #include "renderer/bsdfs/bsdf.h"
 #include "renderer/bsdfs/bsdf_table.h"
 #include "renderer/bsdfs/scattering.h"
@@ -43,6 +45,8 @@ struct DetailTables {
 
   /// `primitive` as in SurfaceHit.
   LocalGeometry local(std::uint32_t surface, std::uint32_t primitive, const Vec3f& p, const Vec3f& normal) const;
+  /// The point on its triangle; empty where the surface is no mesh.
+  std::optional<MeshPoint> mesh_point(std::uint32_t surface, std::uint32_t primitive, const Vec3f& p) const;
 };
 
 /// The number of a surface without the bits that PhotonSurface has above it.

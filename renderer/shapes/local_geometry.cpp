@@ -10,17 +10,20 @@
 namespace photonproof::inline renderer_shapes {
 namespace {
 
+/// Barycentric coordinates of the point nearest to p0 + q in the plane of a triangle at p0 with these edges.
+Vec2<float> barycentric_of(const Vec3f& edge_u, const Vec3f& edge_v, const Vec3f& to_point) {
+  const Vec3d e(edge_u), f(edge_v), q(to_point);
+  const double ee = dot(e, e), ef = dot(e, f), ff = dot(f, f), qe = dot(q, e), qf = dot(q, f);
+  const double determinant = ee * ff - ef * ef;
+  return {static_cast<float>((qe * ff - qf * ef) / determinant), static_cast<float>((qf * ee - qe * ef) / determinant)};
+}
+
 /// `p` in the mesh's own space.
 LocalGeometry on_mesh(const Mesh& mesh, std::uint32_t triangle, const Vec3f& p, const Vec3f& face_normal) {
   const auto& corners = mesh.source->triangles[triangle];
   const Vec3f p0 = mesh.positions[corners[0]];
   const Vec3f edge_u = mesh.positions[corners[1]] - p0, edge_v = mesh.positions[corners[2]] - p0;
-  // Barycentric coordinates, those of the point of the triangle's plane nearest to p.
-  const Vec3d e(edge_u), f(edge_v), q(p - p0);
-  const double ee = dot(e, e), ef = dot(e, f), ff = dot(f, f), qe = dot(q, e), qf = dot(q, f);
-  const double determinant = ee * ff - ef * ef;
-  const auto b1 = static_cast<float>((qe * ff - qf * ef) / determinant);
-  const auto b2 = static_cast<float>((qf * ee - qe * ef) / determinant);
+  const auto [b1, b2] = barycentric_of(edge_u, edge_v, p - p0);
   const float b0 = 1 - b1 - b2;
 
   const float side = mesh.inward ? -1.0f : 1.0f;
@@ -65,6 +68,14 @@ LocalGeometry local_geometry(const Surface& surface, const AffineMap* frame, std
                                [&](const MeshInstance& copy) { return on_instance(copy, triangle, p); },
                                [&](const auto& shape) { return local_geometry(shape, *frame, p, normal); }},
                     surface.geometry);
+}
+
+Vec2<float> barycentric(const Surface& surface, std::uint32_t triangle, const Vec3f& p) {
+  const Mesh& mesh = *mesh_of(surface.geometry);
+  const auto* copy = std::get_if<MeshInstance>(&surface.geometry);
+  const Vec3f p0 = mesh.corner(triangle, 0);
+  return barycentric_of(mesh.corner(triangle, 1) - p0, mesh.corner(triangle, 2) - p0,
+                        (copy != nullptr ? copy->placement->local_point(p) : p) - p0);
 }
 
 bool has_shading_normals(const Surface& surface) {

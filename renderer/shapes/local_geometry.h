@@ -10,6 +10,9 @@ namespace photonproof::inline renderer_shapes {
 LocalGeometry local_geometry(const Surface& surface, const AffineMap* frame, std::uint32_t triangle, const Vec3f& p,
                              const Vec3f& normal);
 
+/// The barycentric coordinates of the second and third corner at p; the surface is a mesh or a copy of one.
+Vec2<float> barycentric(const Surface& surface, std::uint32_t triangle, const Vec3f& p);
+
 /// Whether the surface's shading normal differs from its geometric one.
 bool has_shading_normals(const Surface& surface);
 

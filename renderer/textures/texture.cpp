@@ -4,11 +4,24 @@
 #include <cmath>
 
 #include "scenes/base/numeric_faults.h"
+#include "scenes/description/overloaded.h"
 
 namespace photonproof::inline renderer_textures {
 namespace {
 
 float luminance(const Rgb& c) { return 0.212671f * c.x + 0.715160f * c.y + 0.072169f * c.z; }
+
+/// The attribute of the mesh at the point; 0 if it has none of that name. There are few, so that they are searched.
+Rgb attribute_at(const std::string& name, const MeshPoint& at) {
+  for (const MeshAttribute& attribute : at.mesh->attributes) {
+    if (attribute.name != name) continue;
+    if (!attribute.per_vertex()) return attribute.values[at.triangle];
+    const TriangleMesh::Triangle& corners = at.mesh->triangles[at.triangle];
+    return attribute.values[corners[0]] * (1 - at.b1 - at.b2) + attribute.values[corners[1]] * at.b1 +
+           attribute.values[corners[2]] * at.b2;
+  }
+  return Rgb(0.0f);
+}
 
 /// The texel for number i of a row of n.
 int wrapped(int i, int n, TextureWrap wrap) {
@@ -78,10 +91,11 @@ Rgb BitmapTexture::at(const Vec2<float>& uv) const {
   return upper * (1 - c.y) + lower * c.y;
 }
 
-Vec2<float> BitmapTexture::gradient(const Vec2<float>& uv) const {
+Vec2<float> BitmapTexture::gradient(const Vec2<float>& uv, const Rgb& factor) const {
   if (filter_ == TextureFilter::nearest) return {};
   const Corners c = corners(uv);
-  const float f00 = luminance(c.c00), f10 = luminance(c.c10), f01 = luminance(c.c01), f11 = luminance(c.c11);
+  const float f00 = luminance(c.c00 * factor), f10 = luminance(c.c10 * factor), f01 = luminance(c.c01 * factor),
+              f11 = luminance(c.c11 * factor);
   const float by_x = static_cast<float>(image_->width) * ((1 - c.y) * (f10 - f00) + c.y * (f11 - f01));
   const float by_y = static_cast<float>(image_->height) * ((1 - c.x) * (f01 - f00) + c.x * (f11 - f10));
   return {to_uv_.along_u.x * by_x + to_uv_.along_u.y * by_y, to_uv_.along_v.x * by_x + to_uv_.along_v.y * by_y};
@@ -93,14 +107,20 @@ Textures::Colour2 Textures::compile(const Colour& colour) {
 }
 
 Textures::Textures(const std::vector<TextureDescription>& descriptions) {
-  for (const TextureDescription& d : descriptions) {
-    if (const auto* bitmap = std::get_if<BitmapDescription>(&d.pattern)) {
-      textures_.emplace_back(BitmapTexture(*bitmap));
-    } else {
-      const auto& board = std::get<CheckerboardDescription>(d.pattern);
-      textures_.emplace_back(Checkerboard{{compile(board.color0), compile(board.color1)}, UvTransform(board.to_uv, 1)});
-    }
-  }
+  for (const TextureDescription& d : descriptions)
+    std::visit(Overloaded{[&](const BitmapDescription& bitmap) { textures_.emplace_back(BitmapTexture(bitmap)); },
+                          [&](const CheckerboardDescription& board) {
+                            textures_.emplace_back(Checkerboard{{compile(board.color0), compile(board.color1)},
+                                                                UvTransform(board.to_uv, 1)});
+                          },
+                          [&](const MeshAttributeDescription& attribute) {
+                            textures_.emplace_back(attribute);
+                            has_mesh_attributes_ = true;
+                          },
+                          [&](const ScaledTextureDescription& scaled) {
+                            textures_.emplace_back(Scaled{scaled.texture.value, Rgb(scaled.scale)});
+                          }},
+               d.pattern);
 }
 
 const Textures::Colour2& Textures::square(const Checkerboard& board, const Vec2<float>& uv) {
@@ -109,18 +129,55 @@ const Textures::Colour2& Textures::square(const Checkerboard& board, const Vec2<
   return board.colours[right == upper ? 0 : 1];
 }
 
-Rgb Textures::colour(std::uint32_t texture, const Vec2<float>& uv) const {
+Rgb Textures::colour(std::uint32_t texture, const Vec2<float>& uv, const MeshPoint* on_mesh) const {
   if (const auto* bitmap = std::get_if<BitmapTexture>(&textures_[texture])) return bitmap->at(uv);
-  const Colour2& c = square(std::get<Checkerboard>(textures_[texture]), uv);
-  return c.texture != no_index ? colour(c.texture, uv) : c.value;
+  if (const auto* board = std::get_if<Checkerboard>(&textures_[texture])) {
+    const Colour2& c = square(*board, uv);
+    return c.texture != no_index ? colour(c.texture, uv, on_mesh) : c.value;
+  }
+  if (const auto* scaled = std::get_if<Scaled>(&textures_[texture]))
+    return colour(scaled->texture, uv, on_mesh) * scaled->factor;
+  const auto& attribute = std::get<MeshAttributeDescription>(textures_[texture]);
+  return on_mesh != nullptr ? attribute_at(attribute.name, *on_mesh) * static_cast<float>(attribute.scale) : Rgb(0.0f);
 }
 
-float Textures::number(std::uint32_t texture, const Vec2<float>& uv) const { return luminance(colour(texture, uv)); }
+float Textures::number(std::uint32_t texture, const Vec2<float>& uv, const MeshPoint* on_mesh) const {
+  return luminance(colour(texture, uv, on_mesh));
+}
 
 Vec2<float> Textures::gradient(std::uint32_t texture, const Vec2<float>& uv) const {
-  if (const auto* bitmap = std::get_if<BitmapTexture>(&textures_[texture])) return bitmap->gradient(uv);
-  const Colour2& c = square(std::get<Checkerboard>(textures_[texture]), uv);
-  return c.texture != no_index ? gradient(c.texture, uv) : Vec2<float>{};
+  return gradient(texture, uv, Rgb(1.0f));
+}
+
+Vec2<float> Textures::gradient(std::uint32_t texture, const Vec2<float>& uv, const Rgb& factor) const {
+  if (const auto* bitmap = std::get_if<BitmapTexture>(&textures_[texture])) return bitmap->gradient(uv, factor);
+  if (const auto* board = std::get_if<Checkerboard>(&textures_[texture])) {
+    const Colour2& c = square(*board, uv);
+    return c.texture != no_index ? gradient(c.texture, uv, factor) : Vec2<float>{};
+  }
+  if (const auto* scaled = std::get_if<Scaled>(&textures_[texture]))
+    return gradient(scaled->texture, uv, scaled->factor * factor);
+  return {};
+}
+
+void Textures::visit_attributes(
+    std::uint32_t texture, const std::function<void(const MeshAttributeDescription&, const Rgb& factor)>& visit) const {
+  if (const auto* attribute = std::get_if<MeshAttributeDescription>(&textures_[texture])) {
+    visit(*attribute, Rgb(static_cast<float>(attribute->scale)));
+  } else if (const auto* board = std::get_if<Checkerboard>(&textures_[texture])) {
+    for (const Colour2& colour : board->colours)
+      if (colour.texture != no_index) visit_attributes(colour.texture, visit);
+  } else if (const auto* scaled = std::get_if<Scaled>(&textures_[texture])) {
+    visit_attributes(scaled->texture, [&](const MeshAttributeDescription& inner, const Rgb& factor) {
+      visit(inner, factor * scaled->factor);
+    });
+  }
+}
+
+Vec2<int> Textures::resolution(std::uint32_t texture) const {
+  if (const auto* bitmap = std::get_if<BitmapTexture>(&textures_[texture])) return bitmap->resolution();
+  if (const auto* scaled = std::get_if<Scaled>(&textures_[texture])) return resolution(scaled->texture);
+  return {1, 1};
 }
 
 std::size_t Textures::bytes() const {

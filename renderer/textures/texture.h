@@ -1,7 +1,8 @@
-// Textures of the compiled scene: bitmaps and checkerboards over uv. Meaning as in Mitsuba 3.
+// Textures of the compiled scene: bitmaps and checkerboards over uv, attributes of meshes. Meaning as in Mitsuba 3.
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -25,8 +26,10 @@ class BitmapTexture {
  public:
   explicit BitmapTexture(const BitmapDescription& description);
   Rgb at(const Vec2<float>& uv) const;
-  /// d luminance / d uv, piecewise linear; 0 without interpolation, as in Mitsuba.
-  Vec2<float> gradient(const Vec2<float>& uv) const;
+  /// The derivative of the luminance of `factor` times the colour, piecewise linear; 0 without interpolation, as in
+  /// Mitsuba.
+  Vec2<float> gradient(const Vec2<float>& uv, const Rgb& factor = Rgb(1.0f)) const;
+  Vec2<int> resolution() const { return {image_->width, image_->height}; }
   std::size_t bytes() const { return image_->rgb.capacity() * sizeof(float); }
 
  private:
@@ -45,19 +48,37 @@ class BitmapTexture {
   UvTransform to_uv_;
 };
 
+/// A point of a mesh's triangle by its barycentric coordinates of the second and third corner.
+struct MeshPoint {
+  const TriangleMesh* mesh;
+  std::uint32_t triangle;
+  float b1, b2;
+};
+
 /// All textures of a scene, by the description's indices.
 class Textures {
  public:
   explicit Textures(const std::vector<TextureDescription>& descriptions);
 
-  Rgb colour(std::uint32_t texture, const Vec2<float>& uv) const;
+  /// `on_mesh` is the same point for textures that need one; without it, mesh attributes are 0.
+  Rgb colour(std::uint32_t texture, const Vec2<float>& uv, const MeshPoint* on_mesh = nullptr) const;
   /// The colour's luminance (Rec. 709), as Mitsuba converts a colour to a number.
-  float number(std::uint32_t texture, const Vec2<float>& uv) const;
+  float number(std::uint32_t texture, const Vec2<float>& uv, const MeshPoint* on_mesh = nullptr) const;
   /// Derivatives of `number` by u and v; 0 where it jumps.
   Vec2<float> gradient(std::uint32_t texture, const Vec2<float>& uv) const;
   std::size_t bytes() const;
 
+  /// Whether a texture of the scene needs a MeshPoint.
+  bool has_mesh_attributes() const { return has_mesh_attributes_; }
+  /// Calls `visit` for every mesh attribute that a texture shows, with the factor of its values.
+  void visit_attributes(std::uint32_t texture,
+                        const std::function<void(const MeshAttributeDescription&, const Rgb& factor)>& visit) const;
+  /// Width and height in texels; 1 where there are none.
+  Vec2<int> resolution(std::uint32_t texture) const;
+
  private:
+  Vec2<float> gradient(std::uint32_t texture, const Vec2<float>& uv, const Rgb& factor) const;
+
   struct Colour2 {
     Rgb value;
     std::uint32_t texture = no_index;
@@ -66,11 +87,16 @@ class Textures {
     Colour2 colours[2];
     UvTransform to_uv;
   };
+  struct Scaled {
+    std::uint32_t texture;
+    Rgb factor;
+  };
   static Colour2 compile(const Colour& colour);
   /// The colour of a checkerboard's square.
   static const Colour2& square(const Checkerboard& board, const Vec2<float>& uv);
 
-  std::vector<std::variant<BitmapTexture, Checkerboard>> textures_;
+  std::vector<std::variant<BitmapTexture, Checkerboard, MeshAttributeDescription, Scaled>> textures_;
+  bool has_mesh_attributes_ = false;
 };
 
 }  // namespace photonproof::inline renderer_textures

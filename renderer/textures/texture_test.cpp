@@ -140,6 +140,40 @@ TEST(checkerboard, may_be_of_textures) {
   EXPECT_EQ(textures.colour(1, {0.75f, 0.25f}).x, 0.5f);
 }
 
+TEST(mesh_attribute, is_linear_on_a_triangle_or_constant) {
+  TriangleMesh mesh;
+  mesh.triangles = {{2, 0, 1}, {0, 1, 3}};
+  mesh.attributes = {{"vertex_color", {Rgb(1, 2, 3), Rgb(4), Rgb(8), Rgb(99)}}, {"face_heat", {Rgb(5), Rgb(6)}}};
+  const Textures textures({{{}, "", MeshAttributeDescription{"vertex_color", 1}},
+                           {{}, "", MeshAttributeDescription{"face_heat", 0.5}},
+                           {{}, "", MeshAttributeDescription{"vertex_none", 1}}});
+  EXPECT_TRUE(textures.has_mesh_attributes());
+  // Corners 2, 0, 1 weigh 1/8, 1/2 and 3/8.
+  const MeshPoint at{&mesh, 0, 0.5f, 0.375f};
+  EXPECT_EQ(textures.colour(0, {}, &at), Rgb(0.5f + 1.5f + 1, 1 + 1.5f + 1, 1.5f + 1.5f + 1));
+  EXPECT_EQ(textures.colour(1, {}, &at), Rgb(2.5f));
+  const MeshPoint on_second{&mesh, 1, 0, 0};
+  EXPECT_EQ(textures.colour(0, {}, &on_second), Rgb(1, 2, 3));
+  EXPECT_EQ(textures.colour(1, {}, &on_second), Rgb(3));
+  EXPECT_EQ(textures.colour(2, {}, &at), Rgb(0.0f));
+}
+
+TEST(scaled_texture, is_the_other_times_its_colour) {
+  const Textures textures(
+      {{{}, "", CheckerboardDescription{RgbD(0.2, 0.3, 0.4), RgbD(0.5), {}}},
+       {{}, "", ScaledTextureDescription{TextureIndex{0}, RgbD(2, 1, 0.5)}},
+       {{}, "", BitmapDescription{"", four_texels(), true, TextureFilter::bilinear, TextureWrap::repeat, {}}},
+       {{}, "", ScaledTextureDescription{TextureIndex{2}, RgbD(3.0)}}});
+  EXPECT_FALSE(textures.has_mesh_attributes());
+  EXPECT_EQ(textures.colour(1, {0.2f, 0.2f}), Rgb(0.4f, 0.3f, 0.2f));
+  EXPECT_EQ(textures.colour(1, {0.7f, 0.2f}), Rgb(1, 0.5f, 0.25f));
+  EXPECT_EQ(textures.resolution(3).x, 2);
+  const Vec2<float> slope = textures.gradient(2, {0.4f, 0.4f}), steeper = textures.gradient(3, {0.4f, 0.4f});
+  EXPECT_NE(slope.x, 0);
+  EXPECT_FLOAT_EQ(steeper.x, 3 * slope.x);
+  EXPECT_FLOAT_EQ(steeper.y, 3 * slope.y);
+}
+
 TEST(texture, as_a_number_is_its_luminance) {
   const std::vector<TextureDescription> one{{{}, "", CheckerboardDescription{RgbD{1, 0, 0}, RgbD{1, 1, 1}, {}}}};
   const Textures textures(one);

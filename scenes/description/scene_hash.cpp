@@ -32,6 +32,10 @@ class SceneHash {
     vector(mesh.triangles);
     vector(mesh.normals);
     vector(mesh.uvs);
+    for (const MeshAttribute& attribute : mesh.attributes) {
+      text(attribute.name);
+      vector(attribute.values);
+    }
   }
   void asset(const VolumeGrid& grid) {
     vector(std::vector<float>{static_cast<float>(grid.width), static_cast<float>(grid.height),

@@ -80,10 +80,38 @@ void describe(P& p, CheckerboardDescription& d) {
   p.transform("to_uv", d.to_uv, "applied to uv before the lookup");
 }
 
+/// The attribute of this name of the mesh that has the texture (TriangleMesh::attributes).
+struct MeshAttributeDescription {
+  std::string name;  ///< begins with vertex_ or face_
+  double scale = 1;
+  friend bool operator==(const MeshAttributeDescription&, const MeshAttributeDescription&) = default;
+};
+
+template <class P>
+void describe(P& p, MeshAttributeDescription& d) {
+  p.plugin("mesh_attribute", "values of a PLY file's vertices, linear between them, or of its faces");
+  p.text("name", d.name, "vertex_NAME or face_NAME");
+  p.number("scale", d.scale, scene_xml::kNotNegative, "factor of the values");
+}
+
+/// Another texture times a colour.
+struct ScaledTextureDescription {
+  TextureIndex texture;
+  RgbD scale = RgbD(1.0);
+  friend bool operator==(const ScaledTextureDescription&, const ScaledTextureDescription&) = default;
+};
+
+template <class P>
+void describe(P& p, ScaledTextureDescription& d) {
+  p.plugin("scale", "extension: another texture times a colour, from Mitsuba 0.6");
+  p.colour("scale", d.scale, scene_xml::kNotNegative, "a colour or a number");
+  p.nested_texture(d.texture, "the other texture");
+}
+
 struct TextureDescription {
   SourceLoc loc;
   std::string id;  ///< empty when unnamed
-  std::variant<BitmapDescription, CheckerboardDescription> pattern;
+  std::variant<BitmapDescription, CheckerboardDescription, MeshAttributeDescription, ScaledTextureDescription> pattern;
 };
 
 }  // namespace photonproof::inline scenes_description

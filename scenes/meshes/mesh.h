@@ -3,11 +3,20 @@
 
 #include <array>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "scenes/base/vec.h"
 
 namespace photonproof::inline scenes_meshes {
+
+/// Values beyond the shape, one colour a vertex or a triangle. A single number is a grey.
+struct MeshAttribute {
+  std::string name;  ///< begins with vertex_ or face_
+  std::vector<Rgb> values;
+  bool per_vertex() const { return name.starts_with("vertex_"); }
+  friend bool operator==(const MeshAttribute&, const MeshAttribute&) = default;
+};
 
 struct TriangleMesh {
   using Triangle = std::array<std::uint32_t, 3>;
@@ -21,6 +30,8 @@ struct TriangleMesh {
   std::vector<Vec3f> normals;
   /// Per vertex, finite; empty when the file has none.
   std::vector<Vec2<float>> uvs;
+  /// Finite. Files of PLY have them.
+  std::vector<MeshAttribute> attributes;
 
   static constexpr std::size_t kPaddingVertices = 2;  ///< 24 bytes, of which Embree needs 16
 

@@ -92,13 +92,17 @@ class MeshReader {
     if (layout_.has_normals) mesh_.normals.resize(vertex_count_);
     if (layout_.has_uvs) mesh_.uvs.resize(vertex_count_);
     std::array<float, kVertexSlots> values{};
+    const std::size_t first = begin_attributes(layout_.of_vertices);
     for (in.row.number = 0; in.row.number < vertex_count_; ++in.row.number) {
       for (const Step& step : steps) {
         if (step.slot == kNowhere)
           skip(in, step);
+        else if (step.slot >= kAttributes)
+          attribute_value(step) = attribute_number(in, step.type);
         else
           values[static_cast<std::size_t>(step.slot)] = coordinate(in, step.type);
       }
+      add_attributes(layout_.of_vertices, first);
       const std::uint64_t i = in.row.number;
       mesh_.positions[i] = {values[kX], values[kY], values[kZ]};
       if (layout_.has_normals) mesh_.normals[i] = {values[kNx], values[kNy], values[kNz]};
@@ -114,6 +118,33 @@ class MeshReader {
     return static_cast<float>(value);
   }
 
+  /// Adds empty attributes to the mesh; returns the index of the first.
+  std::size_t begin_attributes(const std::vector<Attribute>& attributes) {
+    const std::size_t first = mesh_.attributes.size();
+    for (const Attribute& attribute : attributes) mesh_.attributes.push_back({attribute.name, {}});
+    row_.assign(3 * attributes.size(), 0.0f);
+    return first;
+  }
+
+  float& attribute_value(const Step& step) { return row_[static_cast<std::size_t>(step.slot - kAttributes)]; }
+
+  /// Adds the row's values to the attributes.
+  void add_attributes(const std::vector<Attribute>& attributes, std::size_t first) {
+    for (std::size_t i = 0; i < attributes.size(); ++i) {
+      const float* v = &row_[3 * i];
+      mesh_.attributes[first + i].values.push_back(attributes[i].grey ? Rgb(v[0]) : Rgb(v[0], v[1], v[2]));
+    }
+  }
+
+  /// A value of an attribute. As in Mitsuba, bytes are numbers up to 255.
+  template <class Values>
+  static float attribute_number(Values& in, Type type) {
+    if (is_floating(type)) return coordinate(in, type);
+    const std::int64_t byte = in.integer(type);
+    if (byte < 0 || byte > 255) in.fail("has the value " + std::to_string(byte) + ", expected from 0 to 255");
+    return static_cast<float>(byte);
+  }
+
   template <class Values>
   void read_faces(Values& in, const std::vector<Step>& steps, std::uint64_t count) {
     std::size_t triangle_bytes = 0;
@@ -122,13 +153,19 @@ class MeshReader {
                         (step.slot == kCorners ? 3 * Values::least_bytes(step.type) : 0);
     // Room for triangles, limited by the bytes that remain; polygons make it grow.
     mesh_.triangles.reserve(std::min<std::uint64_t>(count, in.remaining() / triangle_bytes));
-    for (in.row.number = 0; in.row.number < count; ++in.row.number)
+    const std::size_t first = begin_attributes(layout_.of_faces);
+    for (in.row.number = 0; in.row.number < count; ++in.row.number) {
+      const std::size_t before = mesh_.triangles.size();
       for (const Step& step : steps) {
         if (step.slot == kCorners)
           read_polygon(in, step);
+        else if (step.slot >= kAttributes)
+          attribute_value(step) = attribute_number(in, step.type);
         else
           skip(in, step);
       }
+      for (std::size_t i = before; i < mesh_.triangles.size(); ++i) add_attributes(layout_.of_faces, first);
+    }
   }
 
   template <class Values>
@@ -160,6 +197,7 @@ class MeshReader {
   Layout layout_;
   std::uint64_t vertex_count_;
   TriangleMesh mesh_;
+  std::vector<float> row_;  ///< the attributes' values of the vertex or face that is read
 };
 
 }  // namespace

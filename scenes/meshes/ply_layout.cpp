@@ -24,6 +24,8 @@ class Planner {
     }
     plan_vertices();
     plan_faces();
+    layout_.of_vertices = place_attributes(layout_.vertices, "vertex_");
+    layout_.of_faces = place_attributes(layout_.faces, "face_");
     return std::move(layout_);
   }
 
@@ -62,6 +64,74 @@ class Planner {
       layout_.elements[layout_.vertices][i].slot = first++;
     }
     return true;
+  }
+
+  /// Whether a property may be part of an attribute: a number without a place. Mitsuba converts integers
+  /// that are no bytes by a rule of its own.
+  bool is_free(std::size_t element, std::size_t i) const {
+    const Property& property = header_.elements[element].properties[i];
+    return layout_.elements[element][i].slot == kNowhere && !property.count_type &&
+           (is_floating(property.type) || property.type == Type::uint8);
+  }
+
+  /// The property's index; the number of properties if no free one has that name.
+  std::size_t find_free(std::size_t element, const std::string& name) const {
+    const std::vector<Property>& properties = header_.elements[element].properties;
+    for (std::size_t i = 0; i < properties.size(); ++i)
+      if (properties[i].name == name && is_free(element, i)) return i;
+    return properties.size();
+  }
+
+  /// Gives the properties at these indices the next slots, as the attribute `name`, unless another has that name.
+  void add_attribute(std::vector<Attribute>& attributes, std::size_t element, const std::string& name,
+                     const std::vector<std::size_t>& found) {
+    if (std::any_of(attributes.begin(), attributes.end(), [&](const Attribute& a) { return a.name == name; })) return;
+    int slot = kAttributes + 3 * static_cast<int>(attributes.size());
+    for (const std::size_t i : found) layout_.elements[element][i].slot = slot++;
+    attributes.push_back({name, found.size() == 1});
+  }
+
+  /// The names are those of Mitsuba 3: r g b or red green blue are `color`. Neighbours whose names end with _x _y _z,
+  /// _r _g _b, _0 _1 _2 or _1 _2 _3 have the name before that, with _color after it for _r. One property alone ends
+  /// with the first of these.
+  std::vector<Attribute> place_attributes(std::size_t element, const std::string& prefix) {
+    const std::vector<Property>& properties = header_.elements[element].properties;
+    std::vector<Attribute> attributes;
+    for (const std::initializer_list<const char*> names :
+         {std::initializer_list<const char*>{"r", "g", "b"}, {"red", "green", "blue"}}) {
+      std::vector<std::size_t> found;
+      for (const char* name : names) found.push_back(find_free(element, name));
+      if (std::find(found.begin(), found.end(), properties.size()) == found.end())
+        add_attribute(attributes, element, prefix + "color", found);
+    }
+    for (std::size_t i = 0; i < properties.size();) {
+      const std::size_t end = end_of_group(element, i);
+      const std::string& first = properties[i].name;
+      if (end == i + 1 || end == i + 3) {
+        std::vector<std::size_t> found;
+        for (std::size_t k = i; k < end; ++k) found.push_back(k);
+        add_attribute(attributes, element,
+                      prefix + first.substr(0, first.size() - 2) + (first.ends_with("_r") ? "_color" : ""), found);
+      }
+      i = std::max(end, i + 1);
+    }
+    return attributes;
+  }
+
+  /// One past the last of the neighbours of the group that begins with property i; i if none does.
+  std::size_t end_of_group(std::size_t element, std::size_t i) const {
+    const std::vector<Property>& properties = header_.elements[element].properties;
+    for (const std::string_view ends : {"xyzw", "rgba", "0123", "1234"}) {
+      std::size_t end = i;
+      const std::string& first = properties[i].name;
+      if (first.size() < 2 || first[first.size() - 2] != '_' || first.back() != ends.front()) continue;
+      const std::string stem = first.substr(0, first.size() - 1);
+      while (end < properties.size() && end - i < ends.size() && properties[end].name == stem + ends[end - i] &&
+             is_free(element, end))
+        ++end;
+      return end;
+    }
+    return i;
   }
 
   void plan_vertices() {

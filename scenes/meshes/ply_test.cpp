@@ -81,6 +81,52 @@ TEST(ply, skips_normals_and_texture_coordinates_that_are_not_complete) {
   EXPECT_TRUE(mesh.uvs.empty());
 }
 
+std::vector<std::string> attributes_of(const TriangleMesh& mesh) {
+  std::vector<std::string> names;
+  for (const MeshAttribute& attribute : mesh.attributes) names.push_back(attribute.name);
+  return names;
+}
+
+TEST(ply, reads_attributes_of_vertices_and_faces_by_mitsubas_names) {
+  // Mitsuba 3.9.1 takes bytes as they are. A polygon's triangles share its value, which may stand before its corners.
+  const std::string properties =
+      "property uchar red\nproperty uchar green\nproperty uchar blue\nproperty uchar alpha\n"
+      "property float heat_0\nproperty double w_x\nproperty double w_y\nproperty double w_z\n"
+      "property float tint_r\nproperty float tint_g\nproperty float tint_b\n";
+  const std::string faces =
+      "element face 2\nproperty float part_1\nproperty list uchar int vertex_indices\n"
+      "property float glow_1\nproperty float glow_2\nproperty float glow_3\n";
+  const TriangleMesh mesh =
+      parse_ply(ascii("element vertex 4\nproperty float x\nproperty float y\nproperty float z\n" + properties + faces,
+                      "0 0 0  255 0 188 9  0.5  1 2 3  4 5 6\n1 0 0  0 255 0 9  -2  7 8 9  10 11 12\n"
+                      "1 1 0  0 0 0 9  0  0 0 0  0 0 0\n0 1 0  0 0 0 9  0  0 0 0  0 0 0\n"
+                      "0.25 4 0 1 2 3 1 2 3\n0.75 3 0 1 2 4 5 6\n"),
+                "mesh.ply");
+  EXPECT_EQ(attributes_of(mesh), (std::vector<std::string>{"vertex_color", "vertex_heat", "vertex_w",
+                                                           "vertex_tint_color", "face_part", "face_glow"}));
+  EXPECT_EQ(mesh.attributes[0].values[0], Rgb(255, 0, 188));
+  EXPECT_EQ(mesh.attributes[0].values[1], Rgb(0, 255, 0));
+  EXPECT_EQ(mesh.attributes[1].values, (std::vector<Rgb>{Rgb(0.5f), Rgb(-2), Rgb(0.0f), Rgb(0.0f)}));
+  EXPECT_EQ(mesh.attributes[2].values[1], Rgb(7, 8, 9));
+  EXPECT_EQ(mesh.attributes[3].values[1], Rgb(10, 11, 12));
+  EXPECT_EQ(mesh.attributes[4].values, (std::vector<Rgb>{Rgb(0.25f), Rgb(0.25f), Rgb(0.75f)}));
+  EXPECT_EQ(mesh.attributes[5].values, (std::vector<Rgb>{Rgb(1, 2, 3), Rgb(1, 2, 3), Rgb(4, 5, 6)}));
+}
+
+TEST(ply, takes_no_attribute_of_other_names_numbers_or_types) {
+  // Two values, four values, a name without an end, an end that begins no group, an integer type, a list.
+  const std::string others =
+      "property float pair_x\nproperty float pair_y\nproperty float four_0\nproperty float four_1\n"
+      "property float four_2\nproperty float four_3\nproperty float quality\nproperty float end_z\n"
+      "property int label_0\nproperty list uchar float tags_0\nproperty float r\nproperty float g\n";
+  const TriangleMesh mesh = parse_ply(ascii(kVertices + others + kFaces,
+                                            "0 0 0 1 2 1 2 3 4 5 6 7 1 8 9 9\n1 0 0 1 2 1 2 3 4 5 6 7 1 8 9 9\n"
+                                            "0 1 0 1 2 1 2 3 4 5 6 7 1 8 9 9\n3 0 1 2\n"),
+                                      "mesh.ply");
+  EXPECT_EQ(attributes_of(mesh), std::vector<std::string>());
+  EXPECT_EQ(mesh.triangles, (Triangles{{0, 1, 2}}));
+}
+
 TEST(ply, leaves_room_for_embree_behind_the_last_position) {
   const TriangleMesh mesh = read_ply(kCorpus + "written.ply");
   EXPECT_TRUE(mesh.is_padded());
@@ -223,6 +269,8 @@ INSTANTIATE_TEST_SUITE_P(
         Refusal{"too_large", ascii(kVertices + kFaces, "0 0 0\n1 0 1e39\n0 1 0\n3 0 1 2\n"),
                 at("11:5", "vertex 1 has the value 1e+39, expected finite numbers that fit single precision",
                    "1 0 1e39", 4)},
+        Refusal{"byte_of_256", ascii(kVertices + "property uchar heat_0\n" + kFaces, "0 0 0 256\n"),
+                at("10:7", "vertex 0 has the value 256, expected from 0 to 255", "0 0 0 256", 6)},
         Refusal{"fraction_for_an_index", ascii(kVertices + kFaces, kCorners + "3 0 1.5 2\n"),
                 at("13:5", "face 0 has '1.5', expected an integer", "3 0 1.5 2", 4)},
         Refusal{"index_out_of_range", ascii(kVertices + kFaces, kCorners + "3 0 1 3\n"),

@@ -49,8 +49,21 @@ std::string header_of(const TriangleMesh& mesh) {
                        "\nproperty float x\nproperty float y\nproperty float z\n";
   if (!mesh.normals.empty()) header += "property float nx\nproperty float ny\nproperty float nz\n";
   if (!mesh.uvs.empty()) header += "property float u\nproperty float v\n";
-  return header + "element face " + std::to_string(mesh.triangles.size()) +
-         "\nproperty list uchar uint vertex_indices\nend_header\n";
+  const auto add_attributes = [&](bool per_vertex) {
+    for (const MeshAttribute& attribute : mesh.attributes)
+      if (attribute.per_vertex() == per_vertex)
+        for (const char* end : {"_x", "_y", "_z"})
+          header += "property float " + attribute.name.substr(attribute.name.find('_') + 1) + end + "\n";
+  };
+  add_attributes(true);
+  header += "element face " + std::to_string(mesh.triangles.size()) + "\nproperty list uchar uint vertex_indices\n";
+  add_attributes(false);
+  return header + "end_header\n";
+}
+
+void put_attributes(ByteStream& out, const TriangleMesh& mesh, bool per_vertex, std::size_t i) {
+  for (const MeshAttribute& attribute : mesh.attributes)
+    if (attribute.per_vertex() == per_vertex) out.put(attribute.values[i]);
 }
 
 }  // namespace
@@ -63,10 +76,12 @@ void write_ply(const std::filesystem::path& target, const TriangleMesh& mesh) {
       out.put(mesh.positions[i]);
       if (!mesh.normals.empty()) out.put(mesh.normals[i]);
       if (!mesh.uvs.empty()) out.put(mesh.uvs[i]);
+      put_attributes(out, mesh, true, i);
     }
-    for (const TriangleMesh::Triangle& triangle : mesh.triangles) {
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
       out.put(std::uint8_t{3});
-      out.put(triangle);
+      out.put(mesh.triangles[i]);
+      put_attributes(out, mesh, false, i);
     }
     if (!out.close()) throw InputError(target.string(), "cannot be written (permission or disk full)");
   });

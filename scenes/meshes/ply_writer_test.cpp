@@ -36,6 +36,11 @@ TEST_F(PlyWriter, writes_what_the_reader_gives_back) {
   EXPECT_EQ(written_and_read(mesh), mesh);
   mesh.uvs.assign(mesh.positions.size(), Vec2<float>{0.25f, 0.75f});
   EXPECT_EQ(written_and_read(mesh), mesh);
+  mesh.attributes = {{"vertex_color", {}}, {"vertex_a_b_color", {}}, {"face_heat", {}}};
+  mesh.attributes[0].values.assign(mesh.positions.size(), Rgb(1, 2, 3));
+  mesh.attributes[1].values.assign(mesh.positions.size(), Rgb(4, 5, 6));
+  mesh.attributes[2].values.assign(mesh.triangles.size(), Rgb(7));
+  EXPECT_EQ(written_and_read(mesh), mesh);
 }
 
 TEST_F(PlyWriter, takes_12_bytes_a_vertex_and_13_a_triangle) {

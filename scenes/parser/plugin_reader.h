@@ -66,6 +66,10 @@ class PluginReader {
     require(name, what);
     v = params_.string(name, "");
   }
+  void text(const char* name, std::string& v, const char* what) {
+    require(name, what);
+    v = params_.string(name, "");
+  }
   void point(const char* name, Vec3d& v, const char*) { v = params_.point(name, v); }
   void direction(const char* name, Vec3d& v, const char*) { v = unit_vector(params_, name, v); }
   void transform(const char* name, Transform& v, const char*) { v = params_.transform(name); }

@@ -103,6 +103,8 @@ void PluginRows::file(const char* name, const std::string&, const char* what) {
   add(name, ParamType::string, "", "", what);
 }
 
+void PluginRows::text(const char* name, const std::string& v, const char* what) { file(name, v, what); }
+
 void PluginRows::point(const char* name, const Vec3d& v, const char* what) {
   add(name, ParamType::point, text_of(v), "", what);
 }

@@ -57,6 +57,7 @@ class PluginRows {
     add(name, ParamType::string, fallback, join_or(texts), what);
   }
   void file(const char* name, const std::string&, const char* what);
+  void text(const char* name, const std::string&, const char* what);
   void point(const char* name, const Vec3d& v, const char* what);
   void direction(const char* name, const Vec3d& v, const char* what);
   void transform(const char* name, const Transform&, const char* what);

@@ -166,6 +166,32 @@ TEST(plugins, know_conductors_by_name_and_fill_in_what_is_missing) {
             (ComplexIor{RgbD(2.0), RgbD(1.0)}));
 }
 
+template <class Pattern>
+Pattern texture(const std::string& type, const std::string& content) {
+  const auto scene = parse(kSensor + kLight + "<texture id='t' type='" + type + "'>" + content + "</texture>");
+  return std::get<Pattern>(scene.textures.back().pattern);
+}
+
+TEST(plugins, read_textures_that_show_others_or_the_mesh) {
+  EXPECT_EQ(texture<MeshAttributeDescription>("mesh_attribute", "<string name='name' value='face_heat'/>"),
+            (MeshAttributeDescription{"face_heat", 1}));
+  const std::string inner = "<texture type='checkerboard'/>";
+  EXPECT_EQ(texture<ScaledTextureDescription>("scale", inner), (ScaledTextureDescription{TextureIndex{0}, RgbD(1.0)}));
+  EXPECT_EQ(texture<ScaledTextureDescription>("scale", "<float name='scale' value='0.5'/>" + inner).scale, RgbD(0.5));
+  EXPECT_EQ(texture<ScaledTextureDescription>("scale", "<rgb name='scale' value='1, 2, 0'/>" + inner).scale,
+            RgbD(1, 2, 0));
+}
+
+TEST(plugins, know_the_largest_value_of_a_scaled_texture) {
+  // The checkerboard's is 0.4: times 2.5 is 1, times 2.6 is more than a reflectance may be.
+  const auto scaled = [](const std::string& by) {
+    return bsdf<DiffuseDescription>("diffuse", "<texture name='reflectance' type='scale'><float name='scale' value='" +
+                                                   by + "'/><texture type='checkerboard'/></texture>");
+  };
+  EXPECT_NO_THROW(scaled("2.5"));
+  EXPECT_THROW(scaled("2.6"), InputError);
+}
+
 TEST(plugins, give_mitsubas_defaults_of_shapes) {
   EXPECT_EQ(shape<DiskDescription>("disk"), DiskDescription{});
   EXPECT_EQ(shape<CylinderDescription>("cylinder"), CylinderDescription{});

@@ -1,4 +1,4 @@
-// Mitsuba 3's bitmap and checkerboard.
+// Mitsuba 3's textures and 0.6's scale: rules that a description alone does not state.
 #include "scenes/base/faults.h"
 #include "scenes/description/description.h"
 #include "scenes/parser/plugin_reader.h"
@@ -18,6 +18,11 @@ struct CompleteTexture {
     d.image = loaded.content;
   }
   void operator()(CheckerboardDescription&) const {}
+  void operator()(MeshAttributeDescription& d) const {
+    params.expect(d.name.starts_with("vertex_") || d.name.starts_with("face_"), "name",
+                  "is " + in_quotes(d.name) + ", expected a name that begins with vertex_ or face_");
+  }
+  void operator()(ScaledTextureDescription&) const {}
 };
 
 }  // namespace

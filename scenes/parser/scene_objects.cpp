@@ -150,6 +150,12 @@ void SceneObjects::check_depth(const Element& element, int depth) const {
 
 SceneObjects::TextureFacts SceneObjects::facts_of(const TextureDescription& texture) {
   if (const auto* bitmap = std::get_if<BitmapDescription>(&texture.pattern)) return {largest_value(*bitmap->image), 1};
+  // A mesh attribute's values are its mesh's; those that a shape shows are checked with the compiled scene.
+  if (std::holds_alternative<MeshAttributeDescription>(texture.pattern)) return {0, 1};
+  if (const auto* scaled = std::get_if<ScaledTextureDescription>(&texture.pattern)) {
+    const TextureFacts& inner = textures_known_[scaled->texture.value];
+    return {inner.largest * max_component(scaled->scale), inner.depth + 1};
+  }
   const auto& board = std::get<CheckerboardDescription>(texture.pattern);
   TextureFacts facts{0, 1};
   for (const Colour& colour : {board.color0, board.color1}) {

@@ -55,6 +55,7 @@ class PluginWriter {
       if (word.value == v) xml_.string(name, word.text);
   }
   void file(const char* name, const std::string& v, const char*) { xml_.string(name, v); }
+  void text(const char* name, const std::string& v, const char*) { xml_.string(name, v); }
   void point(const char* name, const Vec3d& v, const char*) { xml_.point(name, v); }
   void direction(const char* name, const Vec3d& v, const char*) { xml_.point(name, v); }
   void transform(const char* name, const Transform& v, const char*) { xml_.transform(name, v); }

@@ -130,7 +130,12 @@ class RandomScene {
   }
   /// A texture; its values are at most 1. Those with an id nest only those without.
   TextureIndex add_texture(const std::string& id, bool alone) {
-    if (coin()) {
+    if (pick(5) == 0) {
+      scene_.textures.push_back({{}, id, MeshAttributeDescription{coin() ? "vertex_color" : "face_a_1", positive()}});
+    } else if (pick(5) == 0) {
+      const ScaledTextureDescription scaled{add_texture("", true), rgb()};
+      scene_.textures.push_back({{}, id, scaled});
+    } else if (coin()) {
       const auto filter = coin() ? TextureFilter::nearest : TextureFilter::bilinear;
       scene_.textures.push_back(
           {{}, id, BitmapDescription{"a.exr", files_.image, coin(), filter, static_cast<TextureWrap>(pick(3)), any()}});
@@ -344,7 +349,7 @@ class RandomScene {
   }
 
   decltype(EmitterDescription::light) light() {
-    switch (pick(environment_ ? 4 : 7)) {
+    switch (pick(environment_ ? 5 : 8)) {
       case 0:
         return PointLightDescription{vector(), bright()};
       case 1: {
@@ -360,7 +365,7 @@ class RandomScene {
       case 4:
         environment_ = true;
         return ConstantLightDescription{bright()};
-      case 5:
+      case 6:
         environment_ = true;
         return EnvmapDescription{"a.exr", files_.image, positive(), similarity()};
       default: {
