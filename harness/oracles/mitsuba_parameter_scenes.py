@@ -497,6 +497,17 @@ def emitter_cases():
     yield case("spot cutoff_angle", emitter("spot", over, bright, number("cutoff_angle", 12)))
     yield case("spot beam_width", emitter("spot", over, bright, number("cutoff_angle", 25), number("beam_width", 5)))
     yield case("spot texture", emitter("spot", over, bright, picture("texture")))
+    shown = number("fov", 25)
+    yield case("projector", emitter("projector", over, number("scale", 20)))
+    yield case("projector irradiance", emitter("projector", over, shown, rgb("irradiance", "9,15,4")))
+    yield case("projector scale", emitter("projector", over, shown, number("scale", 13)))
+    yield case("projector texture", emitter("projector", over, shown, picture("irradiance"), number("scale", 30)))
+    yield case("projector focal_length", emitter("projector", over, string("focal_length", "35mm"), number("scale", 13)))
+    for axis in ("x", "y", "diagonal", "smaller", "larger"):
+        yield case(f"projector fov_axis {axis}", emitter("projector", over, shown, string("fov_axis", axis), picture(
+            "irradiance"), number("scale", 30)))
+    yield case("projector to_world scaled", emitter("projector", place(
+        '<scale value="2"/>', '<lookat origin="1,4,2" target="0.2,0,0" up="0,1,0"/>'), shown, number("scale", 9)))
     yield case("directional to_world", emitter("directional", place(
         '<lookat origin="1,3,2" target="0,0,0" up="0,1,0"/>')))
     yield case("directional irradiance beside a sky", emitter("directional", '<vector name="direction" value="1,-2,0"/>'), SKY)

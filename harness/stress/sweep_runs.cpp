@@ -21,6 +21,10 @@ void scale_light(EmitterDescription& emitter, const Transform& scale, double by)
                           light.to_world = scale * light.to_world;
                           light.intensity = light.intensity * (by * by);
                         },
+                        [&](ProjectorDescription& light) {
+                          light.to_world = scale * light.to_world;
+                          light.scale *= by;
+                        },
                         [](auto&) {}},
              emitter.light);
 }
@@ -95,6 +99,7 @@ SceneDescription brighter(SceneDescription scene, double by) {
                           [&](DirectionalLightDescription& light) { light.irradiance = light.irradiance * by; },
                           [&](ConstantLightDescription& light) { light.radiance = light.radiance * by; },
                           [&](EnvmapDescription& light) { light.scale *= by; },
+                          [&](ProjectorDescription& light) { light.scale *= by; },
                           [&](SunSkyDescription& light) {
                             light.sun_scale *= by;
                             light.sky_scale *= by;

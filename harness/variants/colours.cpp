@@ -63,6 +63,8 @@ struct PluginColours {
   void bsdf(BsdfIndex, const char*) {}
   void two_bsdfs(BsdfIndex, BsdfIndex, const char*) {}
   void one_or_two_bsdfs(BsdfIndex, BsdfIndex, const char*) {}
+  template <class Describe>
+  void field_of_view(double, FovAxis, Describe&&) {}
   void require(const char*, const char*) {}
   void nested(const char*, std::size_t, const char*) {}
   template <class... Rest>
@@ -117,6 +119,8 @@ void scale_lights(SceneDescription& scene, double factor) {
       sky->sun_scale *= factor;
       sky->sky_scale *= factor;
     }
+    if (auto* projector = std::get_if<ProjectorDescription>(&emitter.light))
+      if (std::holds_alternative<TextureIndex>(projector->irradiance)) projector->scale *= factor;
   }
 }
 

@@ -150,7 +150,7 @@ class Kinds {
                             [&](const ConstantLightDescription&) { add("constant sky"); },
                             [&](const EnvmapDescription&) { add("image sky"); },
                             [&](const SunSkyDescription&) { add("sun and sky"); },
-                            [&](const IesLightDescription&) { add("IES light"); }},
+                            [&](const IesLightDescription&) { add("IES light"); }, [](const ProjectorDescription&) {}},
                  emitter.light);
     for (const ShapeDescription& shape : scene.shapes) {
       if (!shape.radiance) continue;

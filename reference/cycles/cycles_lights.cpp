@@ -75,6 +75,9 @@ struct Light {
                   "a sun and its sky: Cycles' sky is of another model; an envmap and a directional light can "
                   "be written");
   }
+  void operator()(const ProjectorDescription&) const {
+    script.refuse(emitter.loc, "a projector: not written yet; a spot with a texture can be");
+  }
   void operator()(const IesLightDescription& light) const {
     const auto image = std::make_shared<const Image>(ies_image(*light.profile));
     script.line(head("ies_light") + py_columns(rigid(light.to_world)) + ", " + py_tuple(light.intensity) + ", " +

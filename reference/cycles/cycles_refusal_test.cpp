@@ -77,6 +77,8 @@ TEST(cycles_refuses, textures_of_meshes_and_scaled_ones) {
 }
 
 TEST(cycles_refuses, lights_it_has_no_equal_of) {
+  EXPECT_EQ(refusal("<emitter type='projector'/>"),
+            "2:1:" + kNot + "a projector: not written yet; a spot with a texture can be");
   EXPECT_EQ(refusal("<emitter type='sunsky'/>"),
             "2:1:" + kNot +
                 "a sun and its sky: Cycles' sky is of another model; an envmap and a directional light can be written");

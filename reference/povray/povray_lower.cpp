@@ -39,6 +39,8 @@ void check_emitters(const SceneDescription& scene) {
   for (const EmitterDescription& emitter : scene.emitters) {
     const auto* spot = std::get_if<SpotLightDescription>(&emitter.light);
     if (spot && spot->texture) range_of(scene, *spot->texture);
+    if (std::holds_alternative<ProjectorDescription>(emitter.light))
+      throw Unrepresentable(scene.where(emitter.loc), "a projector: not written yet; a spot with a texture can be");
   }
 }
 

@@ -67,6 +67,21 @@ TEST(povray_refuses, parts_of_blends_and_masks) {
   EXPECT_EQ(refusal(ball("<bsdf type='mask'><bsdf type='diffuse'/></bsdf>")), "no refusal");
 }
 
+TEST(povray_refuses, textures_of_meshes_and_scaled_ones) {
+  const auto painted = [](const std::string& texture) {
+    return ball("<bsdf type='diffuse'><texture name='reflectance' " + texture + "</texture></bsdf>");
+  };
+  EXPECT_EQ(refusal(painted("type='mesh_attribute'><string name='name' value='face_a'/>")),
+            "2:43:" + kNot + "an attribute of a mesh: not written yet");
+  EXPECT_EQ(refusal(painted("type='scale'><texture type='checkerboard'/>")),
+            "2:43:" + kNot + "a scaled texture: not written yet");
+}
+
+TEST(povray_refuses, projectors) {
+  EXPECT_EQ(refusal("<emitter type='projector'/><shape type='sphere'/>"),
+            "2:1:" + kNot + "a projector: not written yet; a spot with a texture can be");
+}
+
 TEST(povray_refuses, neither_sun_nor_sky) {
   EXPECT_EQ(refusal("<emitter type='sunsky'/><shape type='sphere'/>"), "no refusal");
   EXPECT_EQ(refusal("<emitter type='constant'/><shape type='sphere'/>"), "no refusal");

@@ -117,6 +117,93 @@ TEST_F(EmitterParameters, spot_projects_its_texture_with_u_along_x_and_v_along_y
   expect_rgb(at("<transform name='to_world'><rotate z='1' angle='90'/></transform>", 0.4, 0.3), colours[1] * lit);
 }
 
+// --- projector -------------------------------------------------------------------------------------------------------
+
+TEST_F(EmitterParameters, projector_defaults_are_one_through_a_lens_of_50_mm) {
+  // pi W m^-2 one unit ahead, a quarter of it two ahead. The film is a square of diagonal hypot(36, 24) mm: half its
+  // side is 15.297 mm, which is 0.61187 units on the plane two units ahead.
+  const auto at = [&](double x, double y) {
+    return irradiance("<emitter type='projector'/>", {x, y, 2}, {0, 0, -1}, 4);
+  };
+  expect_rgb(at(0, 0), RgbD(pi_d / 4));
+  expect_rgb(at(0.6, -0.6), RgbD(pi_d / 4));
+  for (const double side : {-1.0, 1.0}) {
+    EXPECT_EQ(at(0.624 * side, 0), RgbD(0.0));
+    EXPECT_EQ(at(0, 0.624 * side), RgbD(0.0));
+  }
+  EXPECT_EQ(irradiance("<emitter type='projector'/>", {0, 0, -2}, {0, 0, 1}), RgbD(0.0)) << "behind it";
+}
+
+TEST_F(EmitterParameters, projector_lights_planes_across_its_axis_evenly) {
+  const std::string light =
+      "<emitter type='projector'><float name='fov' value='90'/><float name='scale' value='3'/>"
+      "<rgb name='irradiance' value='1, 2, 0.5'/></emitter>";
+  const RgbD one_ahead = RgbD(3, 6, 1.5) * pi_d;
+  expect_rgb(irradiance(light, {0.1, 0.2, 1}, {0, 0, -1}), one_ahead);
+  expect_rgb(irradiance(light, {2.8, -2.7, 3}, {0, 0, -1}), one_ahead / 9.0);
+  // A surface that faces the pinhole gets the plane's irradiance over the cosine with the axis, z over the distance.
+  expect_rgb(irradiance(light, {2 - 0.1, 1, 2}, {-1.9, -1, -2}), one_ahead / 4.0 * (length(Vec3d(1.9, 1, 2)) / 2));
+}
+
+TEST_F(EmitterParameters, projector_stands_and_points_as_to_world_says) {
+  const auto light = [](const std::string& first) {
+    return "<emitter type='projector'><float name='fov' value='40'/><transform name='to_world'>" + first +
+           "<lookat origin='1, 2, 3' target='1, 5, 3' up='0, 0, 1'/></transform></emitter>";
+  };
+  expect_rgb(irradiance(light(""), {1, 4, 3}, {0, -1, 0}), RgbD(pi_d / 4));
+  EXPECT_EQ(irradiance(light(""), {1, 0, 3}, {0, 1, 0}), RgbD(0.0)) << "behind it";
+  // A scale s is a factor s, as in Mitsuba's paths: at a distance of z / s, over the cosine with a normal of length s.
+  expect_rgb(irradiance(light("<scale value='3'/>"), {1, 4, 3}, {0, -1, 0}), RgbD(3 * pi_d / 4));
+}
+
+TEST_F(EmitterParameters, projector_shows_its_image_as_a_camera_would_see_it) {
+  // Local (x, y, 1) sees u = (1 - x) / 2, v = (1 - y) / 2 with a field of 90 degrees: the first row is up, +x is left.
+  put_four_texels("slide.exr");
+  const std::array<RgbD, 4> colours{RgbD(1, 2, 3), RgbD(4, 5, 6), RgbD(7, 8, 9), RgbD(10, 11, 12)};
+  const auto at = [&](double x, double y, const std::string& filter, const std::string& to_world = "") {
+    return irradiance(
+               "<emitter type='projector'><float name='fov' value='90'/><texture type='bitmap' "
+               "name='irradiance'><string name='filename' value='slide.exr'/><string name='filter_type' value='" +
+                   filter + "'/></texture>" + to_world + "</emitter>",
+               {x, y, 1}, {0, 0, -1}) /
+           pi_d;
+  };
+  expect_rgb(at(0.3, 0.4, "nearest"), colours[0]);
+  expect_rgb(at(-0.3, 0.4, "nearest"), colours[1]);
+  expect_rgb(at(0.3, -0.4, "nearest"), colours[2]);
+  expect_rgb(at(-0.3, -0.4, "nearest"), colours[3]);
+  // u = 5/8 is three quarters of the way between the middles of the columns, v = 3/4 the middle of the last row.
+  expect_rgb(at(-0.25, -0.5, "bilinear"), colours[2] * 0.25 + colours[3] * 0.75, 1e-3);
+  // Rotated about its axis by 90 degrees, world (-y, x) is local (x, y): world (0.4, 0.3) is local (0.3, -0.4).
+  expect_rgb(at(0.4, 0.3, "nearest", "<transform name='to_world'><rotate z='1' angle='90'/></transform>"), colours[2]);
+}
+
+TEST_F(EmitterParameters, projector_has_the_shape_of_its_texels_and_a_field_of_view_along_an_axis) {
+  // Three columns, one row. One unit ahead, its half sides for half the tangent 1 along each axis:
+  Image wide(3, 1);
+  for (float& value : wide.rgb) value = 1;
+  put_picture("wide.exr", wide);
+  const double diagonal = std::sqrt(10.0);
+  for (const auto& [axis, half] : {std::pair<std::string, Vec3d>{"x", {1, 1 / 3.0, 0}},
+                                   {"y", {3, 1, 0}},
+                                   {"diagonal", {3 / diagonal, 1 / diagonal, 0}},
+                                   {"smaller", {3, 1, 0}},
+                                   {"larger", {1, 1 / 3.0, 0}}}) {
+    const auto lit = [&, name = axis](double x, double y) {
+      return irradiance("<emitter type='projector'><float name='fov' value='90'/><string name='fov_axis' value='" +
+                            name +
+                            "'/><texture type='bitmap' name='irradiance'><string name='filename' "
+                            "value='wide.exr'/></texture></emitter>",
+                        {x, y, 1}, {0, 0, -1})
+                 .x > 0;
+    };
+    EXPECT_TRUE(lit(0.97 * half.x, 0)) << axis;
+    EXPECT_FALSE(lit(1.03 * half.x, 0)) << axis;
+    EXPECT_TRUE(lit(0, -0.95 * half.y)) << axis;
+    EXPECT_FALSE(lit(0, -1.05 * half.y)) << axis;
+  }
+}
+
 // --- directional -----------------------------------------------------------------------------------------------------
 
 TEST_F(EmitterParameters, directional_defaults_are_one_along_z) {

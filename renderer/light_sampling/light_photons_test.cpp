@@ -52,6 +52,25 @@ std::vector<Case> textured_spots() {
   return all;
 }
 
+/// Projectors through narrow and wide screens, of one colour, or of an image with a dark quarter.
+std::vector<Case> projectors() {
+  std::vector<Case> all;
+  std::uint64_t seed = 715;
+  for (const float wide : {1e-3f, 0.5f, 4.0f})
+    for (const bool image : {false, true}) {
+      Random r(++seed);
+      const Frame<float> frame(square_to_sphere(r.next2()));
+      const ProjectorScreen screen{{0, 0, 0}, frame.s, frame.t, frame.n, wide, wide * 0.4f};
+      const LightTexture shown = [image](const Vec2<float>& uv) {
+        return image ? Rgb(uv.x > 0.5f && uv.y > 0.5f ? 0.0f : 0.2f + uv.x) : Rgb(1.0f);
+      };
+      const double corner = std::atan(std::hypot(double{wide}, 0.4 * double{wide})), half = std::sin(corner / 2);
+      all.push_back({"projector " + std::to_string(wide) + (image ? " of an image" : ""),
+                     ProjectorLight(screen, shown, image ? 8 : 1, 4), DirectionCells(frame.n, 2.1 * half * half)});
+    }
+  return all;
+}
+
 /// Lights of random angles and candelas, some of them 0. Their horizontal angles span 360, 180, 90 or 0
 /// degrees.
 std::vector<Case> area_lights() {
@@ -74,6 +93,7 @@ std::vector<Case> area_lights() {
 TEST(light_photons, of_point_like_lights_match_their_density) {
   std::vector<Case> all = spots();
   for (Case& spot : textured_spots()) all.push_back(std::move(spot));
+  for (Case& projector : projectors()) all.push_back(std::move(projector));
   for (Case& area_light : area_lights()) all.push_back(std::move(area_light));
   all.push_back({"point", PointLight<float>{{1, 2, 3}, Rgb(1)}, DirectionCells()});
   std::uint64_t seed = 740;

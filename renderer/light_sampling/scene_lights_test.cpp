@@ -73,6 +73,7 @@ std::vector<Named> points() {
           {"sharp spot", spot_light({0, 0, 0}, {0, 0, 1}, Rgb(2), 0.7, 0.7)},
           {"textured spot",
            TexturedSpotLight(spot_light({0, 0, 0}, {0, 0, 1}, Rgb(2), 0.5, 0.9), {1, 0, 0}, {0, 1, 0}, stripes)},
+          {"projector", ProjectorLight({{0, 0, 0}, {-1, 0, 0}, {0, -1, 0}, {0, 0, 1}, 0.8f, 0.5f}, stripes, 16, 4)},
           {"ies", IesLight({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, Rgb(1), street_light())}};
 }
 

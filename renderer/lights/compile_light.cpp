@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "scenes/base/faults.h"
+#include "scenes/description/field_of_view.h"
 #include "scenes/description/overloaded.h"
 
 namespace photonproof::inline renderer_lights {
@@ -111,6 +112,32 @@ struct Compiler {
     if (d.cutoff_degrees >= 90) throw InputError(where, "a spot light with a texture needs a cutoff_angle below 90");
     const auto [right, up] = across(spot.axis, Vec3f(d.to_world.vector({1, 0, 0})));
     return TexturedSpotLight(spot, right, up, texture(*d.texture, where));
+  }
+
+  Light operator()(const ProjectorDescription& d) const {
+    constexpr int cells = 64, most_steps = 64;
+    const auto* image = std::get_if<TextureIndex>(&d.irradiance);
+    const Vec2<int> size = image != nullptr ? texture.resolution(*image) : Vec2<int>{1, 1};
+    const Vec2<double> half = half_tangents(d.fov_degrees, d.fov_axis, size.x, size.y);
+    const Vec3f forward = axis(d.to_world, {0, 0, 1});
+    const auto [right, down] = across(forward, -axis(d.to_world, {1, 0, 0}));
+    const ProjectorScreen screen{Vec3f(d.to_world.point({0, 0, 0}) + moved),
+                                 right,
+                                 down,
+                                 forward,
+                                 static_cast<float>(half.x),
+                                 static_cast<float>(half.y)};
+    const double factor = std::numbers::pi * d.scale * d.to_world.similarity_scale();
+    if (image == nullptr) {
+      const Rgb constant_image(constant(d.irradiance) * factor);
+      return ProjectorLight(
+          screen, [=](const Vec2<float>&) { return constant_image; }, 1, 1);
+    }
+    // Every texel is the nearest one of a point.
+    const int steps = std::clamp((std::max(size.x, size.y) + cells - 1) / cells, 4, most_steps);
+    const LightTexture shown = texture(*image, where);
+    return ProjectorLight(
+        screen, [=](const Vec2<float>& uv) { return shown(uv) * static_cast<float>(factor); }, cells, steps);
   }
 
   Light operator()(const DirectionalLightDescription& d) const {

@@ -10,12 +10,13 @@
 #include "renderer/lights/light_environment.h"
 #include "renderer/lights/light_ies.h"
 #include "renderer/lights/light_kinds.h"
+#include "renderer/lights/light_projector.h"
 #include "renderer/lights/light_textured_spot.h"
 
 namespace photonproof::inline renderer_lights {
 
 /// A light's index is its kind in the kernels' tables.
-using Light = LightKinds::VariantWith<AreaLight, EnvironmentLight, IesLight, TexturedSpotLight>;
+using Light = LightKinds::VariantWith<AreaLight, EnvironmentLight, IesLight, TexturedSpotLight, ProjectorLight>;
 
 /// Value of LightWords::kind for this light.
 inline std::uint32_t kernel_kind(const Light& light) {

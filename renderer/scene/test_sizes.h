@@ -97,6 +97,10 @@ inline void add_lights(const Room& room, SceneDescription& d) {
   profile->horizontal_degrees = {0};
   profile->candela = {2, 1, 0};
   d.emitters.push_back({{}, "", IesLightDescription{"lamp.ies", profile, intensity, at(2, 2, 3, 1 / u)}});
+  ProjectorDescription projector;
+  projector.scale = 0.4 * u * u;
+  projector.to_world = Transform::look_at(Vec3d{-3, 0, 2} * u, {0, 0, 0}, {0, 0, 1});
+  d.emitters.push_back({{}, "", projector});
   d.emitters.push_back({{}, "", ConstantLightDescription{RgbD(0.02)}});
 }
 

@@ -6,27 +6,10 @@
 
 #include "renderer/sensor/reconstruction_filter.h"
 #include "scenes/base/faults.h"
+#include "scenes/description/field_of_view.h"
 
 namespace photonproof::inline renderer_sensor {
 namespace {
-
-/// Half-angle tangents along x and y for a full angle given along `axis`.
-Vec2<double> half_tangents(const PerspectiveDescription& camera, double width, double height) {
-  const double tangent = std::tan(camera.fov_degrees * std::numbers::pi / 360);
-  FovAxis axis = has_fault(Fault::fov_axis) ? FovAxis::y : camera.fov_axis;
-  if (axis == FovAxis::smaller) axis = width < height ? FovAxis::x : FovAxis::y;
-  if (axis == FovAxis::larger) axis = width < height ? FovAxis::y : FovAxis::x;
-  switch (axis) {
-    case FovAxis::y:
-      return {tangent * width / height, tangent};
-    case FovAxis::diagonal: {
-      const double diagonal = std::hypot(width, height);
-      return {tangent * width / diagonal, tangent * height / diagonal};
-    }
-    default:
-      return {tangent, tangent * height / width};
-  }
-}
 
 /// Sets the members that depend on the kind of camera, for a film of this size.
 struct Lens {
@@ -35,7 +18,8 @@ struct Lens {
   double film_width, film_height;
 
   void operator()(const PerspectiveDescription& camera) const {
-    const Vec2<double> tangents = half_tangents(camera, film_width, film_height);
+    const Vec2<double> tangents = half_tangents(
+        camera.fov_degrees, has_fault(Fault::fov_axis) ? FovAxis::y : camera.fov_axis, film_width, film_height);
     set(tangents.x, tangents.y, camera.near_clip, camera.far_clip);
     // As in Mitsuba, the offset is added to a pixel's place.
     view.center_x -= static_cast<float>(2 * camera.principal_x);

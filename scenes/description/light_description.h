@@ -10,6 +10,7 @@
 #include "scenes/description/given_bool.h"
 #include "scenes/description/sun_position.h"
 #include "scenes/description/texture_description.h"
+#include "scenes/description/view_description.h"
 #include "scenes/meshes/ies.h"
 
 namespace photonproof::inline scenes_description {
@@ -68,6 +69,33 @@ void describe(P& p, SpotLightDescription& d) {
   p.number_after("beam_width", d.beam_degrees, d.cutoff_degrees * 3 / 4, "3/4 of `cutoff_angle`",
                  "half the angle of the full intensity, at most `cutoff_angle`");
   p.optional_texture("texture", d.texture, "projected through the square about the light's cone");
+}
+
+/// A pinhole that projects an image as a perspective camera would see it: along local +z, +y up, +x left in the image.
+/// At a point p and distance z along the axis, what faces the axis gets pi * scale * irradiance(p) * s / z^2, where s
+/// is the scale of to_world.
+struct ProjectorDescription {
+  static constexpr EmitterTraits traits{.without_size = true, .surrounds = false, .infinitely_far = false};
+  Colour irradiance = RgbD(1.0);
+  double scale = 1;
+  double fov_degrees = 50;  ///< full angle, along `fov_axis` of the texture's pixels
+  FovAxis fov_axis = FovAxis::x;
+  Transform to_world;
+  bool is_dark() const { return scale == 0 || irradiance == Colour(RgbD(0.0)); }
+  void scale_lengths(double factor) {
+    to_world = Transform::scale(Vec3d(factor)) * to_world;
+    scale *= factor;
+  }
+  friend bool operator==(const ProjectorDescription&, const ProjectorDescription&) = default;
+};
+
+template <class P>
+void describe(P& p, ProjectorDescription& d) {
+  p.plugin("projector", "a perspective camera's image, projected along local +z, +y up, +x left in the image");
+  p.emission_map("irradiance", d.irradiance, "W m^-2 over pi, one unit ahead");
+  p.number("scale", d.scale, scene_xml::kNotNegative, "factor of the irradiance");
+  describe_field_of_view(p, d.fov_degrees, d.fov_axis);
+  p.transform("to_world", d.to_world, "turns and moves; a scale is a factor of the light, as in Mitsuba");
 }
 
 struct DirectionalLightDescription {
@@ -206,7 +234,7 @@ struct EmitterDescription {
   SourceLoc loc;
   std::string id;
   std::variant<PointLightDescription, SpotLightDescription, DirectionalLightDescription, ConstantLightDescription,
-               EnvmapDescription, SunSkyDescription, IesLightDescription>
+               EnvmapDescription, SunSkyDescription, IesLightDescription, ProjectorDescription>
       light;
 };
 

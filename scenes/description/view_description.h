@@ -28,9 +28,9 @@ void describe_clips(P& p, Camera& d) {
 }
 
 template <class P>
-void describe_lens(P& p, PerspectiveDescription& d) {
-  p.field_of_view(d.fov_degrees, d.fov_axis, [&] {
-    p.choice("fov_axis", d.fov_axis,
+void describe_field_of_view(P& p, double& degrees, FovAxis& axis) {
+  p.field_of_view(degrees, axis, [&] {
+    p.choice("fov_axis", axis,
              {{"x", FovAxis::x},
               {"y", FovAxis::y},
               {"diagonal", FovAxis::diagonal},
@@ -38,6 +38,11 @@ void describe_lens(P& p, PerspectiveDescription& d) {
               {"larger", FovAxis::larger}},
              "what `fov` is along");
   });
+}
+
+template <class P>
+void describe_lens(P& p, PerspectiveDescription& d) {
+  describe_field_of_view(p, d.fov_degrees, d.fov_axis);
   p.number("principal_point_offset_x", d.principal_x, scene_xml::kAny, "of the film's width");
   p.number("principal_point_offset_y", d.principal_y, scene_xml::kAny, "of the film's height");
   describe_clips(p, d);

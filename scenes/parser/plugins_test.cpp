@@ -212,6 +212,12 @@ TEST(plugins, give_mitsubas_defaults_of_emitters) {
   EXPECT_EQ(light<SpotLightDescription>("spot"), SpotLightDescription{});
   EXPECT_EQ(light<SpotLightDescription>("spot", "<float name='cutoff_angle' value='40'/>").beam_degrees, 30)
       << "three quarters of the cut-off";
+  const auto projector = light<ProjectorDescription>("projector");
+  EXPECT_EQ(projector.irradiance, Colour(RgbD(1.0)));
+  EXPECT_EQ(projector.scale, 1);
+  EXPECT_EQ(projector.fov_axis, FovAxis::diagonal);
+  EXPECT_NEAR(std::tan(projector.fov_degrees * M_PI / 360), std::hypot(36, 24) / 100, 1e-9) << "behind a lens of 50 mm";
+  EXPECT_EQ(light<ProjectorDescription>("projector", "<float name='fov' value='30'/>").fov_axis, FovAxis::x);
   EXPECT_EQ(light<DirectionalLightDescription>("directional"), DirectionalLightDescription{});
   EXPECT_EQ(light<ConstantLightDescription>("constant"), ConstantLightDescription{});
   const auto sky = light<SunSkyDescription>("sunsky");

@@ -363,6 +363,9 @@ class RandomScene {
       case 3:
         return IesLightDescription{"a.ies", files_.profile, bright(), similarity()};
       case 4:
+        return ProjectorDescription{pick(3) == 0 ? Colour(texture()) : Colour(bright()), positive(), 1 + 170 * unit(),
+                                    static_cast<FovAxis>(pick(5)), similarity()};
+      case 5:
         environment_ = true;
         return ConstantLightDescription{bright()};
       case 6:
