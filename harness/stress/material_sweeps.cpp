@@ -261,7 +261,8 @@ std::vector<Sweep> textures(const std::filesystem::path& assets) {
                         SceneDescription scene = base;
                         std::visit(
                             [&](auto& pattern) {
-                              pattern.to_uv = Transform::translate({std::exp2(k), std::exp2(k), 0}) * pattern.to_uv;
+                              if constexpr (requires { pattern.to_uv; })
+                                pattern.to_uv = Transform::translate({std::exp2(k), std::exp2(k), 0}) * pattern.to_uv;
                             },
                             scene.textures[bitmap ? 1 : 0].pattern);
                         return StressScene{scene};
