@@ -2,12 +2,11 @@
 // with libFuzzer (preset fuzz), and run over ply_corpus/ by ply_fuzz_test.cpp.
 #include "scenes/meshes/ply_fuzz.h"
 
-#include <unistd.h>
-
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 
+#include "scenes/base/test_fuzz.h"
 #include "scenes/meshes/ply.h"
 #include "scenes/meshes/test_mesh_promises.h"
 
@@ -15,11 +14,10 @@ namespace photonproof::inline scenes_meshes {
 namespace {
 
 std::string problem_with_writing(const TriangleMesh& mesh) {
-  const std::filesystem::path file =
-      std::filesystem::temp_directory_path() / ("photonproof-ply-fuzz-" + std::to_string(getpid()) + ".ply");
+  static const FuzzFolder folder;
+  const std::filesystem::path file = folder.path() / "again.ply";
   write_ply(file, mesh);
   const TriangleMesh again = read_ply(file.string());
-  std::filesystem::remove(file);
   return again == mesh ? "" : "writing and reading changes the mesh";
 }
 

@@ -2,17 +2,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <filesystem>
-#include <fstream>
+#include <type_traits>
 
-#include "scenes/files/atomic_file.h"
-#include "scenes/files/scratch_folder.h"
 #include "scenes/parser/parser.h"
 
 namespace photonproof::inline scenes_parser {
 namespace {
-
-namespace fs = std::filesystem;
 
 const std::string kLight = "<emitter type='point'/>", kSensor = "<sensor type='perspective'/>";
 
@@ -440,105 +435,6 @@ TEST(plugins, limit_how_deep_references_nest_in_either_order) {
   EXPECT_THROW(parse(kSensor + kLight + end + forwards + link(64)), InputError);
   for (int i = 64; i > 0; --i) backwards += link(i);
   EXPECT_THROW(parse(kSensor + kLight + backwards + end), InputError);
-}
-
-class files : public ::testing::Test {
- protected:
-  void SetUp() override {
-    fs::create_directories(folder_ / "scene/pictures");
-    fs::create_directories(folder_ / "common");
-    Image image(2, 1);
-    image.rgb = {0.25f, 0.5f, 1, 0, 0, 0};
-    write_png((folder_ / "scene/pictures/a.png").string(), image);
-    write_exr((folder_ / "common/b.exr").string(), {image, {}, {}});
-    image.rgb[4] = -1;
-    write_exr((folder_ / "scene/negative.exr").string(), {image, {}, {}});
-    image.rgb[4] = std::nanf("");
-    write_exr((folder_ / "scene/nan.exr").string(), {image, {}, {}});
-  }
-  static std::string bitmap(const std::string& file, const std::string& more = "") {
-    return "<bsdf type='diffuse' id='" + file + more +
-           "'><texture type='bitmap' name='reflectance'><string name='filename' value='" + file + "'/>" + more +
-           "</texture></bsdf>";
-  }
-  SceneDescription load(const std::string& content, bool allow_outside = false) const {
-    return parse_scene_text("<scene version='3.0.0'>" + kSensor + kLight + "\n" + content + "</scene>",
-                            (folder_ / "scene/scene.xml").string(), {{}, allow_outside});
-  }
-  std::string message(const std::string& content) const {
-    try {
-      load(content);
-      return "no error";
-    } catch (const InputError& error) {
-      const std::string text = error.summary();
-      return text.substr(text.find("error: "));
-    }
-  }
-
-  const ScratchFolder scratch_{"plugins-test"};
-  const fs::path folder_ = fs::canonical(scratch_.path());
-};
-
-TEST_F(files, of_textures_are_decoded_unless_raw_and_read_once) {
-  const auto scene = load(
-      "<texture type='bitmap' id='a'><string name='filename' value='pictures/a.png'/></texture>"
-      "<texture type='bitmap' id='b'><string name='filename' value='pictures/../pictures/a.png'/></texture>"
-      "<texture type='bitmap' id='c'><string name='filename' value='pictures/a.png'/><boolean name='raw' "
-      "value='true'/></texture>");
-  const auto& a = std::get<BitmapDescription>(scene.textures[0].pattern);
-  const auto& b = std::get<BitmapDescription>(scene.textures[1].pattern);
-  const auto& raw = std::get<BitmapDescription>(scene.textures[2].pattern);
-  EXPECT_EQ(a.image, b.image);
-  EXPECT_NE(a.image, raw.image);
-  // 0.25 is sRGB code 0.5371, rounded to 137/255.
-  EXPECT_NEAR(a.image->rgb[0], 0.25, 0.003);
-  EXPECT_NEAR(raw.image->rgb[0], 137 / 255.0, 1e-6);
-}
-
-TEST_F(files, of_textures_must_have_sound_values) {
-  EXPECT_NE(message(bitmap("negative.exr")).find("negative.exr: error: has a negative value at column 1, row 0"),
-            std::string::npos);
-  EXPECT_NE(message(bitmap("nan.exr")).find("nan.exr: error: has a value that is not finite at column 1, row 0"),
-            std::string::npos);
-}
-
-TEST_F(files, are_looked_for_in_the_folders_of_path_the_last_one_first) {
-  fs::copy(folder_ / "scene/pictures/a.png", folder_ / "common/a.png");
-  const std::string both = "<path value='pictures'/><path value='../common'/>" + bitmap("a.png");
-  EXPECT_EQ(std::get<BitmapDescription>(load(both, true).textures[0].pattern).filename, "../common/a.png")
-      << "the name that a scene without <path> would use";
-  EXPECT_EQ(
-      std::get<BitmapDescription>(load("<path value='pictures'/>" + bitmap("a.png")).textures[0].pattern).filename,
-      "pictures/a.png");
-  EXPECT_EQ(message(both), "error: '../common' lies outside the scene's folder (--allow-outside permits it)");
-  EXPECT_EQ(message("<path value='pictures'/>" + bitmap("../../common/b.exr")),
-            "error: '../../common/b.exr' lies outside the scene's folder (--allow-outside permits it)");
-}
-
-TEST_F(files, of_an_include_find_what_they_name_from_the_scene_or_from_themselves) {
-  fs::create_directories(folder_ / "scene/include");
-  std::ofstream(folder_ / "scene/include/a.xml")
-      << "<scene version='3.0.0'><path value='../pictures'/><include filename='include/b.xml'/><include "
-         "filename='c.xml'/>" +
-             bitmap("a.png") + "</scene>";
-  std::ofstream(folder_ / "scene/include/b.xml") << "<scene version='3.0.0'><shape type='cube'/></scene>";
-  std::ofstream(folder_ / "scene/include/c.xml") << "<scene version='3.0.0'><shape type='disk'/></scene>";
-  const auto scene = load("<include filename='include/a.xml'/>");
-  EXPECT_EQ(scene.shapes.size(), 2u);
-  EXPECT_EQ(std::get<BitmapDescription>(scene.textures[0].pattern).filename, "include/../pictures/a.png");
-}
-
-TEST_F(files, of_spectra_hold_a_pair_a_line) {
-  std::ofstream(folder_ / "scene/a.spd") << "# nm value\n400 0.78\n\n700 0.78\n";
-  std::ofstream(folder_ / "scene/bad.spd") << "400 0.78 1\n";
-  const auto spectrum = [](const std::string& file) {
-    return "<bsdf type='diffuse' id='b'><spectrum name='reflectance' filename='" + file + "'/></bsdf>";
-  };
-  const RgbD found = constant(std::get<DiffuseDescription>(load(spectrum("a.spd")).bsdfs[0].model).reflectance);
-  // As written inline: grey except for the missing ends of the spectrum.
-  EXPECT_NEAR(found.y, 0.78, 1e-3);
-  EXPECT_EQ(message(spectrum("bad.spd")),
-            "error: the spectrum's file has the line '400 0.78 1', expected a wavelength and a value");
 }
 
 }  // namespace

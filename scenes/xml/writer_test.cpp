@@ -74,8 +74,8 @@ class RandomScene {
   RandomScene(unsigned seed, const Files& files) : files_(files), random_(seed) {}
 
   SceneDescription make() {
-    for (std::size_t i = pick(3); i > 0; --i) add_texture("t" + std::to_string(i) + nasty(), true);
-    named_textures_ = scene_.textures.size();
+    for (std::size_t i = pick(3); i > 0; --i)
+      named_textures_.push_back(add_texture("t" + std::to_string(i) + nasty(), true));
     for (std::size_t i = pick(3); i > 0; --i) scene_.media.push_back({{}, "m" + std::to_string(i) + nasty(), medium()});
     named_media_ = scene_.media.size();
     for (std::size_t i = 1 + pick(4); i > 0; --i) {
@@ -125,7 +125,7 @@ class RandomScene {
 
   /// A named one or a new one without an id.
   TextureIndex texture() {
-    if (named_textures_ > 0 && coin()) return {static_cast<std::uint32_t>(pick(named_textures_))};
+    if (!named_textures_.empty() && coin()) return named_textures_[pick(named_textures_.size())];
     return add_texture("", false);
   }
   /// A texture; its values are at most 1. Those with an id nest only those without.
@@ -463,7 +463,8 @@ class RandomScene {
   const Files& files_;
   std::mt19937 random_;
   SceneDescription scene_;
-  std::size_t named_textures_ = 0, named_media_ = 0;
+  std::vector<TextureIndex> named_textures_;
+  std::size_t named_media_ = 0;
   std::vector<BsdfIndex> named_bsdfs_;
   bool environment_ = false;
 };
