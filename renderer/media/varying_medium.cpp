@@ -7,15 +7,15 @@
 namespace photonproof::inline renderer_media {
 namespace {
 
-/// From the frame of rays to the unit cube over which the value is given.
-Transform to_unit_cube(const GridVolumeDescription* grid, const MediaFrame& frame) {
+/// From the unit cube over which the value is given to the frame of rays.
+Transform from_unit_cube(const GridVolumeDescription* grid, const MediaFrame& frame) {
   Transform placed = Transform::translate(frame.moved) * Transform::scale(Vec3d(frame.scale));
   if (grid != nullptr) placed = placed * grid->to_world;
   if (grid != nullptr && grid->use_grid_bbox) {
     const Vec3d low(grid->grid->low), high(grid->grid->high);
     placed = placed * Transform::translate(low) * Transform::scale(high - low);
   }
-  return *placed.inverse();  // the parser refuses others
+  return placed;
 }
 
 constexpr float most_index = 1 << 30;
@@ -28,7 +28,15 @@ float bounded(float x) { return x > -most_index ? std::min(x, most_index) : -mos
 
 Volume::Volume(const VolumeColour& value, const MediaFrame& frame) {
   const auto* grid = std::get_if<GridVolumeDescription>(&value);
-  const Transform map = to_unit_cube(grid, frame);
+  const Transform placed = from_unit_cube(grid, frame), map = *placed.inverse();  // the parser refuses others
+  Vec3d low = placed.point({0, 0, 0}), high = low;
+  for (const int corner : {1, 2, 3, 4, 5, 6, 7}) {
+    const Vec3d p = placed.point(Vec3d(corner & 1, corner >> 1 & 1, corner >> 2));
+    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+  }
+  low_ = Vec3f(low);
+  high_ = Vec3f(high);
   for (std::size_t row = 0; row < 3; ++row)
     axes_[row] = Vec3f(Vec3d(map.m[4 * row], map.m[4 * row + 1], map.m[4 * row + 2]));
   offset_ = Vec3f(Vec3d(map.m[3], map.m[7], map.m[11]));
@@ -46,15 +54,14 @@ Vec3f Volume::local_point(const Vec3f& p) const {
 }
 
 Volume::Span Volume::inside(const Vec3f& origin, const Vec3f& direction, float distance) const {
-  const std::array<float, 3> from = by_axis(local_point(origin));
+  const std::array<float, 3> low = by_axis(low_ - origin), high = by_axis(high_ - origin), along = by_axis(direction);
   Span span{0, distance};
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    const float along = dot(axes_[axis], direction);
-    if (along == 0) {
-      if (from[axis] < 0 || from[axis] > 1) return {0, 0};
+    if (along[axis] == 0) {
+      if (low[axis] > 0 || high[axis] < 0) return {0, 0};
       continue;
     }
-    const float at_low = -from[axis] / along, at_high = (1 - from[axis]) / along;
+    const float at_low = low[axis] / along[axis], at_high = high[axis] / along[axis];
     span.begin = std::max(span.begin, std::min(at_low, at_high));
     span.end = std::min(span.end, std::max(at_low, at_high));
   }

@@ -37,7 +37,7 @@ class Volume {
   struct Span {
     float begin, end;  ///< none where begin >= end
   };
-  /// The part of a ray from 0 to `distance` in the box of the volume.
+  /// The part of a ray from 0 to `distance` in the box of the volume, whose sides are along the world's axes.
   Span inside(const Vec3f& origin, const Vec3f& direction, float distance) const;
 
  private:
@@ -51,6 +51,7 @@ class Volume {
   TextureWrap wrap_ = TextureWrap::clamp;
   std::array<Vec3f, 3> axes_;  ///< the rows of the map to the unit cube
   Vec3f offset_;
+  Vec3f low_, high_;  ///< of the box
 };
 
 class VaryingMedium {

@@ -79,6 +79,15 @@ TEST(volume, lies_where_to_world_the_files_box_and_the_frame_put_it) {
   EXPECT_GE(beside.begin, beside.end);
 }
 
+TEST(volume, ends_at_the_worlds_box_around_what_is_turned) {
+  GridVolumeDescription grid;
+  grid.grid = std::make_shared<const VolumeGrid>();
+  grid.to_world = Transform::rotate({0, 0, 1}, 45);  // a square on its corner, from y = 0 to the square root of 2
+  const Volume::Span span = Volume(grid, {}).inside({0.6f, -1, 0.5f}, {0, 1, 0}, 1000);
+  EXPECT_NEAR(span.begin, 1, 1e-5);
+  EXPECT_NEAR(span.end, 1 + std::sqrt(2.0), 1e-5);
+}
+
 /// Mean and standard error of a colour.
 struct Mean {
   RgbD sum{0.0}, squares{0.0};

@@ -11,7 +11,7 @@
 namespace photonproof::inline scenes_description {
 
 /// Parameters of all integrators. `max_depth` counts path edges as Mitsuba does (1 = emitters only, 2 = direct light);
-/// -1 is unlimited.
+/// -1 is unlimited. The parser takes the lights from a scene of max_depth 0, which Mitsuba renders black, and says 1.
 struct PathLimits {
   int max_depth = -1;
   int rr_depth = 5;  ///< Russian roulette from this depth on
@@ -26,7 +26,7 @@ struct PathDescription : PathLimits {
 
 template <class P>
 void describe_limits(P& p, PathLimits& d) {
-  p.integer("max_depth", d.max_depth, -1, 1'000'000, "edges of a path, -1 for no end; not 0");
+  p.integer("max_depth", d.max_depth, -1, 1'000'000, "edges of a path, -1 for no end; 0 is black");
   p.integer("rr_depth", d.rr_depth, 1, 1'000'000, "roulette from this depth on");
   p.boolean("hide_emitters", d.hide_emitters, "the camera does not see lights");
 }

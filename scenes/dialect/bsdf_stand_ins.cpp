@@ -104,6 +104,25 @@ void replace_distribution(Element& bsdf, StandInNotes& notes) {
   set_attribute(*distribution, "value", "beckmann");
 }
 
+/// Unpolarised light: half of what passes, straight on.
+void replace_polarizer(Element& bsdf, StandInNotes& notes) {
+  notes.add_stand_in(bsdf, "blendbsdf", "it passes half of the light, without polarisation");
+  Element sheet = new_element(bsdf, "bsdf", "thindielectric"), black = new_element(bsdf, "bsdf", "diffuse");
+  add_parameter(sheet, "float", "int_ior", "1");
+  add_parameter(sheet, "float", "ext_ior", "1");
+  if (Element transmittance = take_parameter(bsdf, "transmittance"); !transmittance.tag.empty()) {
+    set_attribute(transmittance, "name", "specular_transmittance");
+    sheet.children.push_back(std::move(transmittance));
+  }
+  add_parameter(black, "rgb", "reflectance", "0");
+  const bool polarizes = value_of(take_parameter(bsdf, "polarizing"), "value") != "false";
+  set_attribute(bsdf, "type", "blendbsdf");
+  bsdf.children.clear();
+  add_parameter(bsdf, "float", "weight", polarizes ? "0.5" : "0");
+  bsdf.children.push_back(std::move(sheet));
+  bsdf.children.push_back(std::move(black));
+}
+
 }  // namespace
 
 void replace_bsdf(Element& bsdf, StandInNotes& notes) {
@@ -112,6 +131,11 @@ void replace_bsdf(Element& bsdf, StandInNotes& notes) {
   if (type == "mixturebsdf") return replace_mixture(bsdf);
   if (type == "roughcoating") return replace_rough_coating(bsdf, notes);
   if (type == "ward") return replace_ward(bsdf, notes);
+  if (type == "polarizer" || type == "circular") return replace_polarizer(bsdf, notes);
+  if (type == "pplastic") {
+    take_parameter(bsdf, "alpha_v");
+    rename_parameter(bsdf, "alpha_u", "alpha");
+  }
   if (type == "coating") {
     notes.add_stand_in(bsdf, "layered", "light is also reflected several times below the coat");
     set_attribute(bsdf, "type", "layered");

@@ -10,4 +10,7 @@ namespace photonproof::scene_xml {
 /// volume `constvolume` becomes its colour.
 void replace_colour(Element& colour);
 
+/// Refs to the scene's colours become these colours.
+void put_colours_in_place_of_refs(Element& scene);
+
 }  // namespace photonproof::scene_xml

@@ -22,6 +22,7 @@ bool is_one_of(std::string_view name, const Names& names) {
 std::string nearest_of_ours(const std::string& type, bool scene_has_media) {
   const auto has = [&](std::string_view part) { return type.find(part) != std::string::npos; };
   if (type == "vcm" || type == "upbp") return "bdpt";
+  if (type == "direct_projective") return "direct";
   if (has("ppm")) return "sppm";
   if (has("photon")) return "photonmapper";
   if (has("ptracer") || has("particle")) return "ptracer";
@@ -72,7 +73,11 @@ void replace_integrator(Element& integrator, bool scene_has_media, StandInNotes&
     notes.add_stand_in(integrator, becomes, loss_of(type));
     set_attribute(integrator, "type", becomes);
     if (becomes != "sppm" && becomes != "photonmapper")
-      keep_parameters(integrator, {"max_depth", "rr_depth", "hide_emitters"});
+      keep_parameters(integrator,
+                      becomes == "direct" ? Names{"hide_emitters"} : Names{"max_depth", "rr_depth", "hide_emitters"});
+    // Mitsuba's differentiable integrators end their paths where nothing else is asked for.
+    if (type.starts_with("prb") && !parameter_of(integrator, "max_depth"))
+      add_parameter(integrator, "integer", "max_depth", "6");
   }
   const std::string ours = value_of(integrator, "type");
   if (ours == "sppm") {

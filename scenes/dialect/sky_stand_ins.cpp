@@ -17,10 +17,27 @@ void turn_up(Element& emitter) {
   emitter.children.push_back(std::move(to_world));
 }
 
+/// The sun of a span of days and hours stands still at its beginning.
+void stop_time(Element& emitter, StandInNotes& notes) {
+  notes.add_stand_in(emitter, "sunsky", "the sun stands still at its first day and hour");
+  set_attribute(emitter, "type", "sunsky");
+  rename_parameter(emitter, "start_year", "year");
+  rename_parameter(emitter, "start_month", "month");
+  rename_parameter(emitter, "start_day", "day");
+  const Element hour = take_parameter(emitter, "window_start_time");
+  add_parameter(emitter, "float", "hour", hour.tag.empty() ? "7" : value_of(hour, "value"));
+  for (const char* name : {"end_year", "end_month", "end_day", "window_end_time", "shutter_open", "shutter_close"})
+    take_parameter(emitter, name);
+}
+
 }  // namespace
 
 void replace_sky(Element& emitter, StandInNotes& notes) {
+  if (value_of(emitter, "type") == "timed_sunsky") stop_time(emitter, notes);
   const std::string type = value_of(emitter, "type");
+  if (type == "sunsky")
+    if (const Element complex = take_parameter(emitter, "complex_sun"); value_of(complex, "value") == "true")
+      notes.add(complex, "complex_sun is left out: the sun is as bright at its rim as in its middle");
   if (type != "sun" && type != "sky" && type != sunsky_of_old) return;
   notes.add_stand_in(emitter, "sunsky", "its radiance is that of Mitsuba 3's model");
   set_attribute(emitter, "type", "sunsky");

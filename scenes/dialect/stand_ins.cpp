@@ -8,6 +8,7 @@
 #include "scenes/dialect/bsdf_stand_ins.h"
 #include "scenes/dialect/colour_stand_ins.h"
 #include "scenes/dialect/integrator_stand_ins.h"
+#include "scenes/dialect/phase_stand_ins.h"
 #include "scenes/dialect/sky_stand_ins.h"
 #include "scenes/dialect/texture_stand_ins.h"
 
@@ -32,6 +33,7 @@ class Translator {
 
   std::vector<SceneNote> run(Element& root) {
     has_media_ = has_medium(root);
+    put_colours_in_place_of_refs(root);
     translate(root);
     return std::move(notes_.made);
   }
@@ -50,6 +52,7 @@ class Translator {
     if (element.tag == "shape") drop_smoothing(element);
     if (element.tag == "medium") translate_medium(element);
     if (element.tag == "emitter") replace_sky(element, notes_);
+    if (element.tag == "phase") replace_phase(element, notes_);
     replace_colour(element);
     take_stand_in(element);
     lower_words(element);
@@ -65,7 +68,7 @@ class Translator {
     if (row == stand_ins().end()) return;
     if (!row->loss.empty()) notes_.add_stand_in(element, std::string(row->becomes), std::string(row->loss));
     set_attribute(element, "type", std::string(row->becomes));
-    if (row->tag == "rfilter") element.children.clear();
+    if (row->tag == "rfilter" || row->tag == "phase" || row->type == "retarder") element.children.clear();
     if (row->type == "telecentric") take_parameter(element, "aperture_radius");
   }
 
@@ -155,9 +158,12 @@ class Translator {
 
 const std::vector<HarmlessParameter>& harmless_parameters() {
   static const std::vector<HarmlessParameter> table = {
+      {"bsdf", "allow_transmission", "what Mitsuba checks"},
       {"bsdf", "specular_sampling_weight", "how samples are drawn"},
       {"emitter", "cache", "how a file is read"},
       {"emitter", "gamma", "how a file is read"},
+      {"emitter", "medium", "lights shine in the medium where they are"},
+      {"emitter", "mis_compensation", "how samples are drawn"},
       {"emitter", "sampling_weight", "how lights are chosen"},
       {"film", "attach_log", "a log in the file"},
       {"film", "banner", "a banner in the picture"},
@@ -187,6 +193,12 @@ const std::vector<HarmlessParameter>& harmless_parameters() {
       {"sampler", "scramble", "how samples are drawn"},
       {"sampler", "seed", "how samples are drawn: --seed"},
       {"sampler", "wrap", "how samples are drawn"},
+      {"scene", "allow_thread_reordering", "how rays are sorted"},
+      {"scene", "compact_acceleration_structures", "how rays meet shapes"},
+      {"scene", "embree_use_robust_intersections", "how rays meet shapes"},
+      {"scene", "kd_max_depth", "how rays meet shapes"},
+      {"scene", "kd_min_max_bins", "how rays meet shapes"},
+      {"scene", "kd_stop_primitives", "how rays meet shapes"},
       {"sensor", "aperture_shape", "of lenses with blades"},
       {"sensor", "focus_distance", "without a lens everything is sharp"},
       {"shape", "collapse", "how a file is read"},
@@ -197,16 +209,19 @@ const std::vector<HarmlessParameter>& harmless_parameters() {
       {"texture", "accel", "of graphics processors"},
       {"texture", "cache", "how a file is read"},
       {"texture", "format", "of graphics processors"},
-      {"texture", "max_anisotropy", "filters of Mitsuba 0.6"}};
+      {"texture", "max_anisotropy", "filters of Mitsuba 0.6"},
+      {"volume", "accel", "of graphics processors"}};
   return table;
 }
 
 const std::vector<StandIn>& stand_ins() {
   static const std::vector<StandIn> table = {
-      {"bsdf", "pplastic", "roughplastic", "without polarisation"},
+      {"bsdf", "pplastic", "roughplastic", "without polarisation; light reflected inside comes out, too"},
+      {"bsdf", "retarder", "null", "without polarisation"},
       {"film", "ldrfilm", "hdrfilm", "the image stays linear, without tone mapping"},
       {"film", "mfilm", "hdrfilm", ""},
       {"film", "tiledhdrfilm", "hdrfilm", ""},
+      {"phase", "sggx", "isotropic", "without directions of flakes"},
       {"sensor", "telecentric", "orthographic", "everything is sharp"},
       {"rfilter", "catmullrom", "gaussian", "without negative lobes"},
       {"rfilter", "lanczos", "gaussian", "without negative lobes"},

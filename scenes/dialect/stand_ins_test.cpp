@@ -91,6 +91,21 @@ TEST(stand_ins, render_unknown_integrators_by_the_nearest_and_tell) {
   EXPECT_THROW(parse(kSensor + kLight + "<integrator type='pathh'/>"), InputError) << "a typing error";
 }
 
+TEST(stand_ins, end_paths_where_mitsubas_differentiable_integrators_do) {
+  const auto depth = [](const std::string& type, const std::string& inside = "") {
+    return std::visit([](const auto& d) { return d.max_depth; },
+                      parse(kSensor + "<integrator type='" + type + "'>" + inside + "</integrator>").integrator.method);
+  };
+  for (const char* type : {"prb", "prb_basic", "prb_projective", "prbvolpath"}) {
+    EXPECT_EQ(depth(type), 6) << type;
+    EXPECT_EQ(depth(type, "<integer name='max_depth' value='3'/>"), 3) << type;
+  }
+  EXPECT_EQ(depth("volpathmis"), -1);
+  const SceneDescription direct =
+      parse(kSensor + "<integrator type='direct_projective'><integer name='sppi' value='3'/></integrator>");
+  EXPECT_TRUE(std::holds_alternative<DirectDescription>(direct.integrator.method));
+}
+
 TEST(stand_ins, take_the_parameters_of_other_photon_mappers) {
   EXPECT_EQ(
       difference(
@@ -182,9 +197,13 @@ TEST(stand_ins, accept_every_harmless_parameter) {
       {"film", "<sensor type='orthographic'><film type='hdrfilm'>{}</film></sensor>"},
       {"integrator", "<integrator type='path'>{}</integrator>"},
       {"medium", "<medium type='homogeneous' id='m'>{}</medium>"},
+      {"scene", "{}"},
       {"sampler", "<sensor type='orthographic'><sampler type='independent'>{}</sampler></sensor>"},
       {"sensor", "<sensor type='perspective'>{}</sensor>"},
       {"shape", "<shape type='cube'>{}</shape>"},
+      {"volume",
+       "<medium type='homogeneous' id='m'><volume type='constvolume' name='albedo'><float name='value' "
+       "value='.5'/>{}</volume></medium>"},
       {"texture", "<texture type='checkerboard' id='t'>{}</texture>"}};
   for (const HarmlessParameter& row : harmless_parameters()) {
     std::string text = inside.at(row.tag);
@@ -230,6 +249,77 @@ TEST(stand_ins, keep_the_first_key_of_an_animation_and_the_shapes_of_a_merge) {
   EXPECT_EQ(
       parse(kSensor + kLight + "<shape type='merge'><shape type='cube'/><shape type='sphere'/></shape>").shapes.size(),
       2u);
+}
+
+TEST(stand_ins, put_colours_in_place_of_refs_and_of_textures) {
+  const std::string red = "<rgb name='reflectance' value='.4 .1 .1'/>";
+  const auto paint = [](const std::string& colour) { return "<bsdf type='diffuse' id='d'>" + colour + "</bsdf>"; };
+  EXPECT_EQ(
+      difference(paint("<ref name='reflectance' id='tone'/>") + "<spectrum id='tone' value='.4 .1 .1'/>", paint(red)),
+      "");
+  const std::string grey = "<rgb name='reflectance' value='.6'/>";
+  for (const char* tag : {"texture", "spectrum"})
+    for (const char* type : {"uniform", "rawconstant"})
+      EXPECT_EQ(difference(paint("<" + std::string(tag) + " name='reflectance' type='" + type +
+                                 "'><float name='value' value='.6'/></" + tag + ">"),
+                           paint(grey)),
+                "")
+          << tag << type;
+  EXPECT_THROW(parse(kSensor + paint("<ref name='reflectance' id='tone'/>")), InputError);
+}
+
+TEST(stand_ins, take_polarizers_as_grey_filters) {
+  const auto filter = [](const std::string& inside) {
+    const SceneDescription scene =
+        parse(kSensor + kLight + "<bsdf type='polarizer' id='p'><float name='theta' value='30'/>" + inside + "</bsdf>");
+    return std::get<BlendDescription>(scene.bsdfs.back().model);
+  };
+  EXPECT_EQ(std::get<double>(filter("").weight), 0.5);
+  EXPECT_EQ(std::get<double>(filter("<boolean name='polarizing' value='false'/>").weight), 0.0);
+  const SceneDescription scene =
+      parse(kSensor + kLight + "<bsdf type='circular' id='p'><rgb name='transmittance' value='.7'/></bsdf>");
+  const auto& blend = std::get<BlendDescription>(scene.bsdfs.back().model);
+  const auto& sheet = std::get<ThinDielectricDescription>(scene.bsdfs[blend.first.value].model);
+  EXPECT_EQ(sheet.int_ior, sheet.ext_ior);
+  EXPECT_EQ(constant(sheet.specular_transmittance), RgbD(0.7));
+  EXPECT_EQ(notes_of("<bsdf type='retarder' id='p'><float name='delta' value='45'/></bsdf>"),
+            "bsdf 'retarder' is rendered as 'null': without polarisation\n");
+}
+
+TEST(stand_ins, give_tables_of_phases_their_mean_cosine) {
+  const auto g = [](const std::string& values) {
+    const SceneDescription scene = parse(
+        kSensor + kLight + "<medium type='homogeneous' id='m'><phase type='tabphase'><string name='values' value='" +
+        values + "'/></phase></medium>");
+    return std::get<HenyeyGreensteinDescription>(std::get<HomogeneousDescription>(scene.media[0].model).phase).g;
+  };
+  // (1 + c) / 2 has the mean cosine 1/3; over three nodes of |c| it is 0; a step to the front half has 1/2.
+  EXPECT_NEAR(g("0, 1"), 1.0 / 3, 1e-12);
+  EXPECT_NEAR(g("1, 0, 1"), 0, 1e-12);
+  EXPECT_NEAR(g("0, 0.5, 1"), 1.0 / 3, 1e-12);
+  EXPECT_NEAR(g("0, 0, 1"), 2.0 / 3, 1e-12);
+  EXPECT_THROW(parse(kSensor + "<medium type='homogeneous' id='m'><phase type='tabphase'/></medium>"), InputError);
+}
+
+TEST(stand_ins, stop_the_sun_at_its_first_hour) {
+  EXPECT_EQ(
+      difference("<emitter type='timed_sunsky'><integer name='start_month' value='3'/><integer name='end_month' "
+                 "value='5'/><float name='window_start_time' value='9.5'/></emitter>",
+                 "<emitter type='sunsky'><integer name='month' value='3'/><float name='hour' value='9.5'/></emitter>",
+                 "3.0.0"),
+      "");
+  EXPECT_EQ(notes_of("<emitter type='sunsky'><boolean name='complex_sun' value='true'/></emitter>"),
+            "complex_sun is left out: the sun is as bright at its rim as in its middle\n");
+  EXPECT_EQ(notes_of("<emitter type='sunsky'><boolean name='complex_sun' value='false'/></emitter>"), "");
+}
+
+TEST(stand_ins, render_no_edges_black) {
+  const SceneDescription scene = parse(kSensor + kLight +
+                                       "<integrator type='path'><integer name='max_depth' value='0'/>"
+                                       "</integrator><shape type='sphere'><emitter type='area'/></shape>");
+  EXPECT_TRUE(scene.emitters.empty());
+  EXPECT_FALSE(scene.shapes.at(0).radiance);
+  EXPECT_EQ(scene.notes.at(0).text, "the scene has no light: its image is black");
 }
 
 }  // namespace

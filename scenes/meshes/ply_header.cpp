@@ -43,14 +43,16 @@ class HeaderReader {
   Header run() {
     if (!next_line() || words_.size() != 1 || words_[0].text != "ply")
       fail_at_offset(file_, text_, 0, "not a PLY file: the first line is not 'ply'");
-    if (!next_line() || words_.empty() || words_[0].text != "format")
+    bool has_line = next_line();
+    while (has_line && says_nothing()) has_line = next_line();
+    if (!has_line || words_.empty() || words_[0].text != "format")
       fail_here("expected 'format' as the second line of a PLY file");
     read_format();
     while (true) {
       if (!next_line())
         fail_here(whole_file_ ? "the file ends before its header does: 'end_header' is missing"
                               : "the header does not end within its first 65536 bytes: 'end_header' is missing");
-      if (words_.empty() || words_[0].text == "comment" || words_[0].text == "obj_info") continue;
+      if (words_.empty() || says_nothing()) continue;
       if (words_[0].text == "end_header") break;
       read_declaration();
     }
@@ -59,6 +61,8 @@ class HeaderReader {
   }
 
  private:
+  bool says_nothing() const { return !words_.empty() && (words_[0].text == "comment" || words_[0].text == "obj_info"); }
+
   /// Splits the next line into words; false when there is no whole line left.
   bool next_line() {
     line_ = next_;

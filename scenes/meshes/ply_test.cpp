@@ -72,6 +72,14 @@ TEST(ply, reads_faces_before_vertices_windows_lines_and_lists_in_vertices) {
   EXPECT_EQ(mesh.triangles, (Triangles{{0, 1, 2}, {2, 1, 0}}));
 }
 
+TEST(ply, takes_comments_before_the_format) {
+  EXPECT_EQ(parse_ply("ply\ncomment by hand\nobj_info none\nformat ascii 1.0\n" + kVertices + kFaces + "end_header\n" +
+                          kCorners + "3 0 1 2\n",
+                      "mesh.ply")
+                .triangles.size(),
+            1u);
+}
+
 TEST(ply, skips_normals_and_texture_coordinates_that_are_not_complete) {
   const TriangleMesh mesh =
       parse_ply(ascii(kVertices + "property float nx\nproperty float nz\nproperty float u\n" + kFaces,

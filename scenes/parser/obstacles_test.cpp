@@ -34,7 +34,7 @@ TEST(obstacles, are_told_together_in_the_order_of_the_file_and_once_a_text) {
           "<emitter type='candle'/>\n<shape type='sphere'><float name='radius' value='-1'/></shape>\n"
           "<emitter type='candle'/>\n<emitter type='candle'/>\n<emitter type='candle'/>\n<emitter type='candle'/>\n"),
       "test.xml:2:10: error: emitter 'candle' is not supported, expected constant, directional, envmap, ies, point, "
-      "spot or sunsky, and at test.xml:4:10, test.xml:5:10, test.xml:6:10 and 1 more places\n"
+      "projector, spot or sunsky, and at test.xml:4:10, test.xml:5:10, test.xml:6:10 and 1 more places\n"
       "test.xml:3:43: error: parameter 'radius' of shape 'sphere' is -1, expected more than 0\n"
       "6 obstacles; --lenient renders the scene without them");
 }
@@ -114,6 +114,7 @@ RgbD radiance(const std::string& type, const std::string& content) {
 TEST(typed_spectra, are_those_of_mitsuba) {
   EXPECT_EQ(radiance("uniform", "<float name='value' value='2'/>"), RgbD(2.0));
   EXPECT_EQ(radiance("d65", "<float name='scale' value='3'/>"), RgbD(3.0));
+  EXPECT_EQ(radiance("d65", "<rgb name='color' value='1 2 0'/><float name='scale' value='3'/>"), RgbD(3, 6, 0));
   EXPECT_EQ(radiance("srgb", "<rgb name='color' value='.2 .4 .6'/>"), RgbD(.2, .4, .6));
   const RgbD pairs = rgb_of_spectrum({{400, 1}, {550, 2}, {700, 1}}, SpectrumKind::emission);
   EXPECT_EQ(radiance("regular",

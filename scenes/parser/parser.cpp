@@ -47,6 +47,7 @@ class SceneReader {
     scene_.integrator = {sources_.loc(root_.at), PathDescription{}};
     read_sensor_number(options.sensor);
     for_each("integrator", [&](const Element& e) { scene_.integrator = read_integrator(objects_, e); });
+    std::visit([&](auto& method) { take_lights_of_no_edges(method); }, scene_.integrator.method);
     objects_.obstacles().attempt([&] { check_environments(); });
     if (objects_.obstacles().none()) check_lit();
     if (!options.lenient) objects_.obstacles().raise();
@@ -109,6 +110,13 @@ class SceneReader {
     if (const auto* map = std::get_if<EnvmapDescription>(&emitter.light))
       if (objects_.largest_value(*map->image) <= 0) return false;
     return std::visit([](const auto& light) { return !light.is_dark(); }, emitter.light);
+  }
+
+  void take_lights_of_no_edges(PathLimits& limits) {
+    if (limits.max_depth != 0) return;
+    limits.max_depth = 1;
+    scene_.emitters.clear();
+    for (ShapeDescription& shape : scene_.shapes) shape.radiance.reset();
   }
 
   /// Notes a scene without light.

@@ -12,10 +12,7 @@ struct CompleteIntegrator {
   Params& params;
 
   /// All integrators except direct.
-  void operator()(PathLimits& d) const {
-    params.expect(d.max_depth != 0, "max_depth",
-                  "is 0, which renders black, expected -1 (unlimited) or at least 1 (emitters only)");
-  }
+  void operator()(PathLimits&) const {}
   void operator()(DirectDescription& d) const {
     const bool each = params.has("emitter_samples") || params.has("bsdf_samples");
     params.expect(!(each && params.has("shading_samples")), "shading_samples",
