@@ -5,8 +5,6 @@ no image code with the program they check.
 """
 import struct
 
-import numpy as np
-
 MAGIC = 20000630
 HALF = 1  # pixel type
 
@@ -16,11 +14,15 @@ def _attribute(name, kind, payload):
 
 
 def write(path, rgb):
-    """rgb: (height, width, 3), every value exactly representable as a half."""
-    pixels = np.asarray(rgb, dtype=np.float16)
-    if not np.array_equal(pixels.astype(np.float64), np.asarray(rgb, dtype=np.float64)):
-        raise ValueError("values do not fit half floats exactly")
-    height, width = pixels.shape[:2]
+    """rgb[y][x] of three numbers that are exactly representable as halves."""
+    height, width = len(rgb), len(rgb[0])
+
+    def channel(row, c):
+        values = [float(pixel[c]) for pixel in row]
+        packed = struct.pack(f"<{width}e", *values)
+        if list(struct.unpack(f"<{width}e", packed)) != values:
+            raise ValueError("values do not fit half floats exactly")
+        return packed
     window = struct.pack("<4i", 0, 0, width - 1, height - 1)
     channels = b"".join(name + b"\0" + struct.pack("<iB3xii", HALF, 0, 1, 1) for name in (b"B", b"G", b"R")) + b"\0"
     header = struct.pack("<ii", MAGIC, 2)
@@ -37,14 +39,15 @@ def write(path, rgb):
     first = len(header) + 8 * height
     offsets = b"".join(struct.pack("<Q", first + y * (8 + line_bytes)) for y in range(height))
     lines = b"".join(
-        struct.pack("<ii", y, line_bytes) + b"".join(pixels[y, :, c].astype("<f2").tobytes() for c in (2, 1, 0))
-        for y in range(height))
+        struct.pack("<ii", y, line_bytes) + b"".join(channel(row, c) for c in (2, 1, 0))
+        for y, row in enumerate(rgb))
     with open(path, "wb") as out:
         out.write(header + offsets + lines)
 
 
 def read(path):
     """What write() wrote, as float64 (height, width, 3)."""
+    import numpy as np
     data = open(path, "rb").read()
     if struct.unpack_from("<ii", data) != (MAGIC, 2):
         raise ValueError(f"{path}: not a single-part scan-line EXR")

@@ -4,8 +4,6 @@ import random
 import struct
 import zlib
 
-import numpy as np
-
 import exr_file
 
 
@@ -21,6 +19,10 @@ def value(tag, name, v):
 
 def number(name, v):
     return value("float", name, v)
+
+
+def numbers(**values):
+    return "".join(number(name, v) for name, v in values.items())
 
 
 def integer(name, v):
@@ -41,6 +43,14 @@ def rgb(name, v):
 
 def point(name, v):
     return value("point", name, v)
+
+
+def vector(name, v):
+    return value("vector", name, v)
+
+
+def spectrum(name, v):
+    return value("spectrum", name, v)
 
 
 def place(*steps, name="to_world"):
@@ -69,6 +79,10 @@ def picture(name, *content, file="picture.exr", **attributes):
 
 def grey(v):
     return bsdf("diffuse", number("reflectance", v))
+
+
+def integrator(kind, *content, name=""):
+    return element("integrator", kind, *content, name=name)
 
 
 def area(*content):
@@ -108,17 +122,20 @@ def scene(*content, integrator=PATH, sensor=camera(), floor=FLOOR, lights=LAMP +
 # ---- files that scenes name -------------------------------------------------------------------------------------------------
 
 def half(rows):
-    return np.asarray(rows, dtype=np.float16).astype(np.float64)
+    return [[struct.unpack("<3e", struct.pack("<3e", *pixel)) for pixel in row] for row in rows]
 
 
 def write_png(path, pixels):
-    """8-bit RGB."""
-    def chunk(kind, data):
-        return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
-    height, width = pixels.shape[:2]
-    lines = b"".join(b"\0" + pixels[y].tobytes() for y in range(height))
-    path.write_bytes(b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">IIBBBBB", width, height, 8, 2, 0, 0, 0)) +
-                     chunk(b"IDAT", zlib.compress(lines)) + chunk(b"IEND", b""))
+    """pixels[y][x] of three numbers from 0 to 1, in 8 bits."""
+    write_png_lines(path, len(pixels[0]), 8, 2, [bytes(int(v * 255) for pixel in row for v in pixel) for row in pixels])
+
+
+def write_png_lines(path, width, bits, kind, lines):
+    """kind: 0 grey, 2 RGB, 6 RGBA."""
+    def chunk(name, data):
+        return struct.pack(">I", len(data)) + name + data + struct.pack(">I", zlib.crc32(name + data))
+    path.write_bytes(b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">IIBBBBB", width, len(lines), bits, kind, 0, 0, 0)) +
+                     chunk(b"IDAT", zlib.compress(b"".join(b"\0" + line for line in lines))) + chunk(b"IEND", b""))
 
 
 def write_ply(path, points, faces, normals=None, uv=None, of_vertices=None, of_faces=None):
@@ -149,9 +166,10 @@ def write_serialized(path, meshes):
     """Mitsuba 0.6's compressed meshes, version 4: (points, faces, normals, uv) each, and the list of their offsets."""
     def packed(points, faces, normals, uv):
         raw = struct.pack("<I", 0x1003) + b"mesh\0" + struct.pack("<QQ", len(points), len(faces))
-        for rows in (points, normals, uv):
-            raw += np.asarray(rows, dtype="<f4").tobytes()
-        return struct.pack("<HH", 0x041C, 4) + zlib.compress(raw + np.asarray(faces, dtype="<u4").tobytes())
+        for kind, rows in (("f", points), ("f", normals), ("f", uv), ("I", faces)):
+            flat = [v for row in rows for v in row]
+            raw += struct.pack(f"<{len(flat)}{kind}", *flat)
+        return struct.pack("<HH", 0x041C, 4) + zlib.compress(raw)
     parts = [packed(*mesh) for mesh in meshes]
     offsets = [sum(map(len, parts[:i])) for i in range(len(parts))]
     path.write_bytes(b"".join(parts) + struct.pack(f"<{len(parts)}QI", *offsets, len(parts)))
@@ -159,9 +177,10 @@ def write_serialized(path, meshes):
 
 def write_vol(path, values):
     """values[z][y][x][channel] in the box from (-0.7, -0.4, -0.7) to (0.7, 1, 0.7), that of `ball`."""
-    depth, height, width, channels = np.shape(values)
+    depth, height, width, channels = len(values), len(values[0]), len(values[0][0]), len(values[0][0][0])
+    flat = [v for slice in values for row in slice for cell in row for v in cell]
     path.write_bytes(b"VOL\x03" + struct.pack("<5i6f", 1, width, height, depth, channels, -0.7, -0.4, -0.7, 0.7, 1, 0.7) +
-                     np.asarray(values, dtype="<f4").tobytes())
+                     struct.pack(f"<{len(flat)}f", *flat))
 
 
 def coarse_egg(columns=10, rows=6):
@@ -186,7 +205,7 @@ def write_files(folder):
     draw = random.Random(7)
     colours = half([[[0.05 + 0.9 * draw.random() for _ in range(3)] for _ in range(6)] for _ in range(5)])
     exr_file.write(folder / "picture.exr", colours)
-    write_png(folder / "picture.png", (colours * 255).astype(np.uint8))
+    write_png(folder / "picture.png", colours)
     exr_file.write(folder / "bumps.exr", half([[[draw.random()] * 3 for _ in range(8)] for _ in range(8)]))
     leaning = [[(0.5 + 0.2 * (2 * draw.random() - 1), 0.5 + 0.2 * (2 * draw.random() - 1), 0.95) for _ in range(8)]
                for _ in range(8)]

@@ -5,38 +5,21 @@
 
 Values are plausible, and pictures mean nothing: the scenes show which words load.
 """
-import struct
 import sys
-import zlib
 from pathlib import Path
 
-
-def parameter(tag, name, value):
-    return f'<{tag} name="{name}" value="{value}"/>'
-
-
-def flag(name):
-    return parameter("boolean", name, "true")
+from mitsuba_scene_parts import boolean as flag
+from mitsuba_scene_parts import integer as whole
+from mitsuba_scene_parts import number, value, write_obj, write_ply, write_png, write_serialized
+from mitsuba_scene_parts import string as word
 
 
-def number(name, value):
-    return parameter("float", name, value)
-
-
-def whole(name, value):
-    return parameter("integer", name, value)
-
-
-def word(name, value):
-    return parameter("string", name, value)
-
-
-def spectrum(name, value):
-    return parameter("spectrum", name, value)
+def spectrum(name, v):
+    return value("spectrum", name, v)
 
 
 def rgb(name):
-    return parameter("rgb", name, "0.3, 0.2, 0.1")
+    return value("rgb", name, "0.3, 0.2, 0.1")
 
 
 def point(name, y=0.2):
@@ -193,19 +176,11 @@ def scene(kind, name, content):
 
 def write_files(folder):
     points, faces = [(0, 0, 0), (1, 0, 0), (0, 1, 0)], [(0, 1, 2)]
-    (folder / "m.obj").write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nf 1/1 2/1 3/1\n")
-    (folder / "m.ply").write_text("ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
-                                  "element face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n")
-    raw = struct.pack("<I", 0x1000) + b"m\0" + struct.pack("<QQ", 3, 1) + struct.pack("<9f", *sum(points, ())) + \
-        struct.pack("<3I", *faces[0])
-    mesh = struct.pack("<HH", 0x041C, 4) + zlib.compress(raw)
-    (folder / "m.serialized").write_bytes(mesh + mesh + struct.pack("<QQI", 0, len(mesh), 2))
-
-    def chunk(kind, data):
-        return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
-    lines = b"".join(b"\0" + bytes((200, 100, 50, 20 * y, 90, 60)) for y in range(3))
-    (folder / "t.png").write_bytes(b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">IIBBBBB", 2, 3, 8, 2, 0, 0, 0)) +
-                                   chunk(b"IDAT", zlib.compress(lines)) + chunk(b"IEND", b""))
+    normals, uv = [(0, 0, 1)] * 3, [(0, 0)] * 3
+    write_obj(folder / "m.obj", points, faces, normals, uv)
+    write_ply(folder / "m.ply", points, faces)
+    write_serialized(folder / "m.serialized", [(points, faces, normals, uv)] * 2)
+    write_png(folder / "t.png", [[(0.8, 0.4, 0.2), (0.1 * y, 0.4, 0.2)] for y in range(3)])
 
 
 def main():
