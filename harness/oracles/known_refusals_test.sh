@@ -1,10 +1,13 @@
 #!/usr/bin/env bash
-# Compares the scenes of old_scenes.py that do not load with the list of those that are known not to.
-#   harness/oracles/old_scenes_test.sh PROGRAM FOLDER
+# Compares the scenes of a generator that do not load with the list of those that are known not to.
+#   harness/oracles/known_refusals_test.sh PROGRAM GENERATOR FOLDER
+# GENERATOR is old_scenes or new_scenes, its list GENERATOR_refused.txt. A line of a list is a file and, after a space, why
+# it is refused.
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
-rm -rf "$2"
-python3 -B "$here/old_scenes.py" "$2"
-diff <("$here/census.sh" --program "$1" --names "$2" | xargs -r -n1 basename) "$here/old_scenes_refused.txt" && exit 0
-echo "the list above differs from $here/old_scenes_refused.txt: < does not load now, > did not load before" >&2
+list=$here/$2_refused.txt
+rm -rf "$3"
+python3 -B "$here/$2.py" "$3"
+diff <("$here/census.sh" --program "$1" --names "$3" | xargs -r -n1 basename) <(cut -d' ' -f1 "$list") && exit 0
+echo "the list above differs from $list: < does not load now, > did not load before" >&2
 exit 1

@@ -40,13 +40,13 @@ CHANCE = 5e-4    # for one scene: of 300 right scenes, one in seven tables has a
 
 # ---- rendering --------------------------------------------------------------------------------------------------------
 
-def load_mitsuba():
+def load_mitsuba(variant):
     if "DRJIT_LIBLLVM_PATH" not in os.environ:
         found = sorted(Path("/usr/lib").glob("*/libLLVM*.so*"))
         if found:
             os.environ["DRJIT_LIBLLVM_PATH"] = str(found[-1])
     import mitsuba
-    mitsuba.set_variant("llvm_ad_rgb")
+    mitsuba.set_variant(variant)
     try:
         mitsuba.Float(1) + 1
         import drjit
@@ -58,8 +58,8 @@ def load_mitsuba():
 
 
 class Mitsuba:
-    def __init__(self):
-        self.mi = load_mitsuba()
+    def __init__(self, variant):
+        self.mi = load_mitsuba(variant)
         self.version = f"{self.mi.__version__} {self.mi.variant()}"
 
     def images(self, path, spp, first_seed):
@@ -139,7 +139,7 @@ def compare(ours, theirs):
 
 def verdict(record, tolerance):
     if "problem" in record:
-        return "differs"
+        return "refused" if record["problem"].startswith(("Mitsuba: ", "photonproof: ")) else "differs"
     off, error = abs(record["ratio"] - 1), record["error"]
     if off > tolerance and student_tail(off / max(error, 1e-7), 2 * SEEDS - 2) < CHANCE:
         return "differs"
@@ -159,8 +159,11 @@ def pooled(images):
 def render_case(case, index, arguments, mitsuba, photonproof, pool):
     folder = arguments.output
     ours_path, theirs_path = folder / f"scene-{index:03d}.xml", folder / f"scene-{index:03d}-mitsuba.xml"
-    ours_path.write_text(case.text)
-    theirs_path.write_text(case.twin or case.text)
+    if arguments.folder:
+        ours_path = theirs_path = arguments.folder / f"{case.name}.xml"
+    else:
+        ours_path.write_text(case.text)
+        theirs_path.write_text(case.twin or case.text)
     spp, rounds_ours, rounds_theirs = arguments.spp, [], []
     seed = zlib.crc32(case.name.encode()) % 10**6  # so that scenes have different noise
     if "width" not in case.text:  # the default film has 144 times the pixels of the others
@@ -197,7 +200,8 @@ def key_of(case, arguments, mitsuba, photonproof):
 def run(cases, arguments, mitsuba, photonproof):
     folder = arguments.output
     folder.mkdir(parents=True, exist_ok=True)
-    mitsuba_scene_parts.write_files(folder)
+    if not arguments.folder:
+        mitsuba_scene_parts.write_files(folder)
     kept_file = folder / "records.json"
     kept = json.loads(kept_file.read_text()) if kept_file.exists() else {}
     records, begun = {}, time.monotonic()
@@ -257,7 +261,7 @@ def parameters_of_scenes(cases):
 
 
 def table(cases, records, arguments, mitsuba):
-    lines, count = [], {"equal": 0, "differs": 0, "noisy": 0, "ours is right": 0}
+    lines, count = [], {"equal": 0, "differs": 0, "noisy": 0, "ours is right": 0, "refused": 0}
     for case in cases:
         record = records[case.name]
         said = verdict(record, arguments.tolerance / 100)
@@ -270,9 +274,9 @@ def table(cases, records, arguments, mitsuba):
         lines.append(f"| {case.name} | {record['channel']} {record['ratio']:.5f} ± {record['error']:.5f} | "
                      f"{record['block_channel']} {record['block_ratio']:.4f} ± {record['block_error']:.4f} | {said} | "
                      f"{case.why if said == 'ours is right' else ''} |")
-    summary = (f"{len(cases)} scenes of 64 x 48 pixels: {count['equal']} equal within {arguments.tolerance} %, "
+    summary = (f"{len(cases)} scenes{'' if arguments.folder else ' of 64 x 48 pixels'}: {count['equal']} equal within {arguments.tolerance} %, "
                f"{count['noisy']} too noisy to tell, {count['ours is right']} differ and ours is right, {count['differs']} "
-               f"differ.")
+               f"differ{', %d are refused by a program' % count['refused'] if count['refused'] else ''}.")
     head = f"""# Parameters against Mitsuba {mitsuba.version}
 
 Printed by `harness/oracles/mitsuba_parameters.py`, which says how a line is measured:
@@ -300,6 +304,8 @@ def parse_arguments():
     parser.add_argument("-o", "--output", type=Path, default=Path("out/mitsuba-parameters"))
     parser.add_argument("--markdown", type=Path, help="the table, when every scene was rendered")
     parser.add_argument("--only", default="", metavar="REGEX", help="scenes whose names match")
+    parser.add_argument("--folder", type=Path, help="in place of these scenes those of a folder")
+    parser.add_argument("--variant", default="llvm_ad_rgb", help="of Mitsuba")
     parser.add_argument("--list", action="store_true", help="print names and what no scene covers")
     parser.add_argument("--spp", type=int, default=16, help="samples a pixel of each of the first 8 images")
     parser.add_argument("--most", type=int, default=1024, help="samples a pixel in all")
@@ -310,7 +316,8 @@ def parse_arguments():
 
 def main():
     arguments = parse_arguments()
-    cases = scenes.all_cases()
+    cases = [scenes.Case(path.stem, path.read_text()) for path in sorted(arguments.folder.glob("*.xml"))
+             ] if arguments.folder else scenes.all_cases()
     if arguments.list:
         page = (Path(__file__).resolve().parents[2] / "docs/formats/scene.md").read_text()
         print("\n".join(case.name for case in cases))
@@ -319,15 +326,16 @@ def main():
         return 0
     chosen = [case for case in cases if re.search(arguments.only, case.name)]
     arguments.output = arguments.output.resolve()
-    mitsuba = Mitsuba()
+    mitsuba = Mitsuba(arguments.variant)
     records = run(chosen, arguments, mitsuba, Photonproof(arguments.program, mitsuba.read))
     text, summary = table(chosen, records, arguments, mitsuba)
     print(summary)
     if arguments.markdown:
         arguments.markdown.write_text(text)
     known = {case.name for case in chosen if case.why}
+    wrong = ("differs",) if arguments.folder else ("differs", "refused")
     bad = [name for name, record in records.items()
-           if verdict(record, arguments.tolerance / 100) == "differs" and name not in known]
+           if verdict(record, arguments.tolerance / 100) in wrong and name not in known]
     if bad:
         print("differ: " + "; ".join(bad))
     return 1 if bad else 0
