@@ -53,10 +53,10 @@ class Translator {
     if (element.tag == "medium") translate_medium(element);
     if (element.tag == "emitter") replace_sky(element, notes_);
     if (element.tag == "phase") replace_phase(element, notes_);
+    drop_harmless(element);
     replace_colour(element);
     take_stand_in(element);
     lower_words(element);
-    drop_harmless(element);
     take_first_key(element);
     for (Element& child : element.children) translate(child);
     merge_shapes(element);
