@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <limits>
+#include <numeric>
 #include <optional>
 #include <variant>
 #include <vector>
@@ -14,6 +15,8 @@
 #include "renderer/light_sampling/scene_lights.h"
 #include "renderer/passes/scratch_pool.h"
 #include "renderer/passes/tile_film.h"
+#include "renderer/planning/area_price.h"
+#include "renderer/scene/surface_detail.h"
 #include "renderer/sensor/film.h"
 #include "scenes/base/timer.h"
 
@@ -47,6 +50,7 @@ struct Sample {
 struct PilotImage {
   std::vector<Sample> pixels{};  ///< row by row
   double rays_a_sample = 0;
+  double areas_a_sample = 0;  ///< nanoseconds
 };
 
 RgbD block_mean(const PilotImage& image, std::size_t pixel) {
@@ -125,22 +129,28 @@ class PilotTracer {
         rows_(std::clamp((pilot_pixels + window.width() - 1) / window.width(), 1, window.height())),
         scratch_(source.job.kernels().path) {}
 
-  /// Traces the pilot; the camera samples are the same for every policy at diffuse surfaces.
-  PilotImage trace(PathPolicy policy) {
+  /// Traces the pilot; the camera samples are the same for every policy at diffuse surfaces. The prices are those of
+  /// the areas where it leaves points.
+  PilotImage trace(PathPolicy policy, const AreaPrices& prices) {
     const auto width = static_cast<std::size_t>(window_.width()), rows = static_cast<std::size_t>(rows_);
     PilotImage image;
     image.pixels.resize(width * rows);
     RayTotals totals;
-    source_.threads.for_each(
-        rows, [&](std::size_t row) { trace_row(static_cast<int>(row), policy, &image.pixels[row * width], totals); });
+    std::vector<double> areas(rows);
+    source_.threads.for_each(rows, [&](std::size_t row) {
+      areas[row] = trace_row(static_cast<int>(row), policy, prices, &image.pixels[row * width], totals);
+    });
     const RayCounts rays = totals.counts();
     image.rays_a_sample = static_cast<double>(rays.camera + rays.bounce + rays.shadow) /
                           static_cast<double>(image.pixels.size() * samples_a_pixel);
+    image.areas_a_sample =
+        std::accumulate(areas.begin(), areas.end(), 0.0) / static_cast<double>(image.pixels.size() * samples_a_pixel);
     return image;
   }
 
  private:
-  void trace_row(int row, PathPolicy policy, Sample* pixels, RayTotals& totals) {
+  /// Returns the time of the areas.
+  double trace_row(int row, PathPolicy policy, const AreaPrices& prices, Sample* pixels, RayTotals& totals) {
     const int y = window_.y0 + (2 * row + 1) * window_.height() / (2 * rows_);
     PathTask task{.scene = &source_.scene.view(),
                   .camera = camera_task(source_.job, {window_.x0, y, window_.x1, y + 1}, 0, samples_a_pixel),
@@ -160,6 +170,10 @@ class PilotTracer {
       pixels[i / samples_a_pixel].sum += value;
       pixels[i / samples_a_pixel].squares += value * value;
     }
+    left.set_size(task.points.count);
+    double areas = 0;
+    for (std::size_t i = 0; i < left.size(); ++i) areas += prices.of(surface_number(left[i].surface));
+    return areas;
   }
 
   const PhotonSource& source_;
@@ -223,11 +237,12 @@ IndirectChoice choose_indirect(const PhotonSource& source, const PhotonMaps& map
   const PathSettings settings = camera_path_settings(source.settings, plan);
   PilotTracer tracer(source, settings, window);
   const bool caustics = maps.caustic.wanted;
-  const PilotImage direct = tracer.trace(policy_of_maps(source.scene, settings));
-  const PilotImage beside = tracer.trace(caustics ? PathPolicy::beside_caustic_map : PathPolicy::path_tracing);
+  const AreaPrices prices(source.scene, maps.global.radii.radius);
+  const PilotImage direct = tracer.trace(policy_of_maps(source.scene, settings), prices);
+  const PilotImage beside = tracer.trace(caustics ? PathPolicy::beside_caustic_map : PathPolicy::path_tracing, prices);
   std::optional<PilotImage> alone;
   if (caustics && brightest_light(source.scene, source.job.seed) < bright * mean_of(beside))
-    alone = tracer.trace(PathPolicy::path_tracing);
+    alone = tracer.trace(PathPolicy::path_tracing, prices);
 
   const double ray = plan.scene.small && !plan.scene.detailed ? ray_by_brute_force : ray_elsewhere;
   const CameraView& camera = source.scene.view().camera;
@@ -236,7 +251,8 @@ IndirectChoice choose_indirect(const PhotonSource& source, const PhotonMaps& map
                           (source.scene.view().guided_emission ? guided_start : 0);
   const double map_time = gather_time + photons_a_path * a_photon;
   IndirectPilot pilot;
-  pilot.maps = {variance_of(direct, beside), direct.rays_a_sample * ray + (caustics ? 2 : 1) * map_time};
+  pilot.maps = {variance_of(direct, beside),
+                direct.rays_a_sample * ray + (caustics ? 2 : 1) * map_time + direct.areas_a_sample};
   pilot.beside_caustics = {variance_of(beside, beside),
                            beside.rays_a_sample * ray + (caustics ? map_time + gather_time : 0)};
   if (alone) pilot.paths_alone = {variance_of(*alone, *alone), alone->rays_a_sample * ray};

@@ -10,6 +10,7 @@
 #include <cstdio>
 
 #include "renderer/integrators/test_scenes.h"
+#include "renderer/planning/area_price.h"
 
 namespace photonproof::inline renderer_photon_mapping {
 namespace {
@@ -102,6 +103,53 @@ TEST(indirect_choice, is_the_maps_where_photons_radii_or_parts_of_the_light_are_
   RenderJob part = free_job();
   part.view = Aov::global;
   EXPECT_TRUE(test::render(furnace, "photonmapper", part).stats.choices.empty());
+}
+
+// A gather on rough ground visits most triangles within its radius to learn their area. On a floor there is nothing to
+// visit.
+TEST(indirect_choice, knows_what_gathers_on_meshes_cost) {
+  const auto ground = [](bool rough) {
+    SceneDescription d;
+    const BsdfIndex grey = test::add_bsdf(d, DiffuseDescription{RgbD(0.8)});
+    if (rough)
+      test::add_shape(
+          d, HeightfieldDescription{.columns = 200, .rows = 200, .amplitude = 0.1, .height = HeightfieldNoise{20, 20}},
+          Transform::rotate({1, 0, 0}, -90), grey);
+    else
+      test::add_shape(d, RectangleDescription{}, Transform::rotate({1, 0, 0}, -90), grey);
+    test::add_shape(d, RectangleDescription{}, Transform::translate({0, 0.5, -0.5}) * Transform::scale(Vec3d(0.5)),
+                    grey);
+    PointLightDescription lamp;
+    lamp.position = {0, 1.5, 0.5};
+    d.emitters.push_back({{}, "", lamp});
+    test::set_camera(d, Transform::look_at({0, 1, 3}, {0, 0, 0}, {0, 1, 0}), 40, 32);
+    return test::render(d, "photonmapper", free_job()).stats.choices;
+  };
+  EXPECT_THAT(ground(true), testing::ElementsAre(testing::StartsWith("indirect light by path tracing alone")));
+  EXPECT_THAT(ground(false), testing::ElementsAre(testing::StartsWith("indirect light by photon maps")));
+}
+
+TEST(area_price, counts_the_triangles_of_a_disc_and_of_its_border) {
+  SceneDescription d;
+  const BsdfIndex grey = test::add_bsdf(d, DiffuseDescription{});
+  const HeightfieldDescription flat{.columns = 100, .rows = 50, .amplitude = 0, .height = HeightfieldNoise{}};
+  test::add_shape(d, flat, {}, grey);
+  test::add_shape(d, RectangleDescription{}, {}, grey);
+  d.emitters.push_back({{}, "", ConstantLightDescription{RgbD(1)}});
+  test::set_camera(d, Transform::look_at({0, 0, 3}, {0, 0, 0}, {0, 1, 0}), 40, 16);
+  const Scene scene = test::compiled(d, 16, 16);
+  // 2500 triangles a unit of area, in the scene's own unit.
+  const auto scale = static_cast<float>(scene.scale());
+  const AreaPrices near(scene, 0.1f * scale), all(scene, 10 * scale);
+  const double within = 2500 * 0.01 * 3.14159265;
+  EXPECT_NEAR(near.of(0), 6 * within + 100 * std::sqrt(4 * 3.14159265 * within), 1);
+  EXPECT_NEAR(all.of(0), 6 * 800 + 100 * 100, 1) << "flat groups count whole";
+  EXPECT_EQ(near.of(1), 0);
+  // On rough ground each of the 10,000 triangles counts, and the 355 on the border cost more.
+  std::get<HeightfieldDescription>(d.shapes[0].geometry).amplitude = 0.1;
+  std::get<HeightfieldDescription>(d.shapes[0].geometry).height = HeightfieldNoise{40, 40};
+  const Scene rough = test::compiled(d, 16, 16);
+  EXPECT_NEAR(AreaPrices(rough, 10 * static_cast<float>(rough.scale())).of(0), 6 * 10000 + 180 * 354.5, 50);
 }
 
 // A wall of 1 x 1 on an infinite plane of albedo 0.8 under a sky of radiance 1, seen from the front. The whole plane

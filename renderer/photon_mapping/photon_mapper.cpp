@@ -9,6 +9,7 @@
 
 #include "renderer/photon_mapping/photon_mapper.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
@@ -157,6 +158,10 @@ void keep(RenderLoop& loop, PhotonMaps& maps) {
   }
 }
 
+bool has_meshes(const Scene& scene) {
+  return std::ranges::any_of(scene.surfaces, [](const Surface& s) { return mesh_of(s.geometry) != nullptr; });
+}
+
 /// Chooses the method where the settings leave it open. Adds a warning where the chosen maps miss light.
 void choose_way(const PhotonSource& source, PhotonMaps& maps, const RenderPlan& plan, const Tile& window,
                 PhotonSettings& settings, RenderStats& stats) {
@@ -164,6 +169,7 @@ void choose_way(const PhotonSource& source, PhotonMaps& maps, const RenderPlan& 
   if (automatic) settings.indirect = IndirectLight::map;
   if (!maps.global.wanted) return;
   if (automatic) {
+    if (has_meshes(source.scene)) maps.choose_first_radii(source, stats);
     const IndirectChoice choice = choose_indirect(source, maps, plan, window, stats);
     settings.indirect = choice.indirect;
     // A pass takes as many samples as all before, so that passes end where Sobol points are even. Time to equal error

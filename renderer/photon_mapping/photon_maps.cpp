@@ -42,6 +42,7 @@ constexpr double wide_part = 0.25;
 
 void choose_first_radius(MapState& map, double asked, const PhotonSource& source, RayTotals& totals) {
   float& radius = map.radii.radius;
+  if (radius > 0) return;  // chosen before
   radius = static_cast<float>(asked * source.scene.scale());
   map.fixed_radius = radius > 0;
   if (!map.wanted || map.fixed_radius) return;
