@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "scenes/base/edit_distance.h"
+#include "scenes/dialect/hair_stand_in.h"
 
 namespace photonproof::scene_xml {
 namespace {
@@ -132,6 +133,7 @@ void replace_bsdf(Element& bsdf, StandInNotes& notes) {
   if (type == "roughcoating") return replace_rough_coating(bsdf, notes);
   if (type == "ward") return replace_ward(bsdf, notes);
   if (type == "polarizer" || type == "circular") return replace_polarizer(bsdf, notes);
+  if (type == "hair") return replace_hair(bsdf, notes);
   if (type == "pplastic") {
     take_parameter(bsdf, "alpha_v");
     rename_parameter(bsdf, "alpha_u", "alpha");

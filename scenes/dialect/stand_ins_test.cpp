@@ -268,6 +268,23 @@ TEST(stand_ins, put_colours_in_place_of_refs_and_of_textures) {
   EXPECT_THROW(parse(kSensor + paint("<ref name='reflectance' id='tone'/>")), InputError);
 }
 
+TEST(stand_ins, give_hair_the_colour_of_much_of_it) {
+  const auto colour = [](const std::string& inside) {
+    const SceneDescription scene = parse(kSensor + kLight + "<bsdf type='hair' id='h'>" + inside + "</bsdf>");
+    return constant(std::get<PrincipledDescription>(scene.bsdfs.back().model).base_color);
+  };
+  // Chiang et al. 2016, equation 9, at a roughness of 0 and of 1: absorptions of the reflectance 0.5.
+  const std::string smooth = "<float name='azimuthal_roughness' value='0'/>",
+                    rough = "<float name='azimuthal_roughness' value='1'/>";
+  EXPECT_NEAR(colour(smooth + "<float name='sigma_a' value='0.0134849011'/>").x, 0.5, 1e-7);
+  EXPECT_NEAR(colour(rough + "<rgb name='sigma_a' value='0.0421796885 0 0'/>").x, 0.5, 1e-5);
+  EXPECT_EQ(colour(rough + "<rgb name='sigma_a' value='0.0421796885 0 0'/>").y, 1);
+  const RgbD brown = colour(""), blonde = colour("<float name='eumelanin' value='.3'/>");
+  EXPECT_GT(brown.x, brown.z);
+  EXPECT_GT(blonde.x, brown.x);
+  EXPECT_THROW(colour("<texture name='sigma_a' type='checkerboard'/>"), InputError);
+}
+
 TEST(stand_ins, take_polarizers_as_grey_filters) {
   const auto filter = [](const std::string& inside) {
     const SceneDescription scene =
@@ -293,7 +310,7 @@ TEST(stand_ins, give_tables_of_phases_their_mean_cosine) {
         values + "'/></phase></medium>");
     return std::get<HenyeyGreensteinDescription>(std::get<HomogeneousDescription>(scene.media[0].model).phase).g;
   };
-  // (1 + c) / 2 has the mean cosine 1/3; over three nodes of |c| it is 0; a step to the front half has 1/2.
+  // (1 + c) / 2 has the mean cosine 1/3. Over three nodes of |c| it is 0.
   EXPECT_NEAR(g("0, 1"), 1.0 / 3, 1e-12);
   EXPECT_NEAR(g("1, 0, 1"), 0, 1e-12);
   EXPECT_NEAR(g("0, 0.5, 1"), 1.0 / 3, 1e-12);
