@@ -51,7 +51,7 @@ ModelScene scene_of_mesh(const fs::path& model) {
   text += "    <string name=\"filename\" value=\"" + in_xml(model.filename().string()) + "\"/>\n";
   text += "    <bsdf type=\"twosided\"><bsdf type=\"diffuse\"/></bsdf>\n  </shape>\n";
   text += "  <emitter type=\"constant\"/>\n</scene>\n";
-  return {text, model.parent_path(), {"no light: white light of radiance 1 comes from all around"}};
+  return {text, model.parent_path(), {{model.string(), "no light: white light of radiance 1 comes from all around"}}};
 }
 
 fs::path reader_program() {
@@ -60,30 +60,60 @@ fs::path reader_program() {
   return fs::exists(beside, ignored) ? beside : fs::path(PHOTONPROOF_PROGRAM_FOLDER) / "photonproof-read-model";
 }
 
+std::vector<std::string> columns_of(const std::string& line) {
+  std::vector<std::string> columns;
+  std::istringstream parts(line);
+  for (std::string part; std::getline(parts, part, '\t');) columns.push_back(printable(part));
+  return columns;
+}
+
+/// The problems that the reader tells, in the format of its main.cpp. Empty where it ended otherwise.
+std::vector<InputError> problems_of(const ProcessOutcome& outcome) {
+  std::vector<InputError> problems;
+  if (outcome.end != ProcessOutcome::End::exited) return problems;
+  std::istringstream lines(outcome.standard_error);
+  for (std::string line; std::getline(lines, line);) {
+    const std::vector<std::string> columns = columns_of(line);
+    if (columns.size() < 4) continue;
+    const auto number = parse_integer(columns[1]).value, column = parse_integer(columns[2]).value;
+    if (number.value_or(0) > 0 && column.value_or(0) > 0)
+      problems.emplace_back(columns[0], static_cast<int>(*number), static_cast<int>(*column), columns[3],
+                            columns.size() > 4 ? columns[4] : std::string());
+    else
+      problems.emplace_back(columns[0], columns[3]);
+  }
+  return problems;
+}
+
 }  // namespace
 
 bool is_model(const fs::path& file) {
   const std::string ending = ending_of(file);
-  return ending == ".ply" || ending == ".obj" || ending == ".serialized" || ending == ".gltf" || ending == ".glb";
+  return ending == ".ply" || ending == ".obj" || ending == ".serialized" || ending == ".gltf" || ending == ".glb" ||
+         ending == ".pbrt";
 }
 
-ModelScene read_model(const fs::path& model, const fs::path& folder) {
+ModelScene read_model(const fs::path& model, const fs::path& folder, const ModelOptions& options) {
   const std::string ending = ending_of(model);
   if (ending == ".ply" || ending == ".serialized" || (ending == ".obj" && !names_materials(model)))
     return scene_of_mesh(model);
   constexpr double most_seconds = 300;
-  const ProcessOutcome outcome = run_process({reader_program().string(), fs::absolute(model).string(), folder.string()},
-                                             {.wall_limit_seconds = most_seconds});
+  std::vector<std::string> command = {reader_program().string(), model.string(), folder.string()};
+  if (options.lenient) command.emplace_back("--lenient");
+  if (options.allow_outside) command.emplace_back("--allow-outside");
+  const ProcessOutcome outcome = run_process(command, {.wall_limit_seconds = most_seconds});
   if (!outcome.ok()) {
-    const std::string message = last_line(outcome.standard_error);
-    const auto text = message.find(": error: ");
-    throw InputError(model.string(), outcome.end == ProcessOutcome::End::exited && text != std::string::npos
-                                         ? message.substr(text + 9)
-                                         : "cannot be read as a model: its reader " + outcome.sentence());
+    const std::vector<InputError> problems = problems_of(outcome);
+    if (problems.empty())
+      throw InputError(model.string(), "cannot be read as a model: its reader " + outcome.sentence());
+    throw InputError(problems,
+                     std::to_string(problems.size()) + " obstacles; --lenient renders the scene without them");
   }
   ModelScene scene{read_file(folder / "scene.xml"), folder, {}};
   std::istringstream lines(outcome.standard_output);
-  for (std::string line; std::getline(lines, line);) scene.remarks.push_back(printable(line));
+  for (std::string line; std::getline(lines, line);)
+    if (const std::vector<std::string> columns = columns_of(line); columns.size() == 2)
+      scene.notes.push_back({columns[0], columns[1]});
   return scene;
 }
 

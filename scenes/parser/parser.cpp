@@ -147,10 +147,10 @@ class SceneReader {
 }  // namespace
 
 SceneDescription parse_model_file(const std::string& path, const std::string& folder, const ParseOptions& options) {
-  const ModelScene model = read_model(path, folder);
+  const ModelScene model =
+      read_model(path, folder, {.allow_outside = options.allow_outside, .lenient = options.lenient});
   SceneDescription scene = parse_scene_text(model.text, (model.folder / "scene.xml").string(), options);
-  scene.notes.clear();
-  for (const std::string& remark : model.remarks) scene.notes.push_back({path, remark});
+  scene.notes = model.notes;
   if (model.text.find("<sensor") == std::string::npos) {
     scene.sensor = sensor_around(scene, true);
     scene.notes.push_back({path, "no camera: one of 45 degrees sees the whole model from +z"});

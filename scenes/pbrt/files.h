@@ -1,0 +1,46 @@
+// Files that a pbrt scene names, and those that are written for it.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <set>
+#include <string>
+
+#include "scenes/meshes/mesh.h"
+#include "scenes/pbrt/parameters.h"
+
+namespace photonproof::inline scenes_pbrt {
+
+class PbrtFiles {
+ public:
+  PbrtFiles(const PbrtSources& sources, std::filesystem::path scene_folder, std::filesystem::path made_folder,
+            bool allow_outside)
+      : sources_(sources),
+        scene_folder_(std::move(scene_folder)),
+        made_folder_(std::move(made_folder)),
+        allow_outside_(allow_outside) {}
+
+  /// The path of an existing file that is spelled relative to the scene's folder. Throws InputError at `at` where it is
+  /// missing, or outside that folder without leave.
+  std::filesystem::path find(const std::string& name, const Place& at) const;
+  /// Copies a file to the made folder, once; its name there.
+  std::string copy(const std::filesystem::path& file);
+  /// A new name in the made folder, "stem-N.ending".
+  std::string new_name(const std::string& stem, const std::string& ending);
+  std::filesystem::path made(const std::string& name) const { return made_folder_ / name; }
+  /// Writes a mesh to the made folder; its name there.
+  std::string write(const TriangleMesh& mesh);
+
+ private:
+  const PbrtSources& sources_;
+  std::filesystem::path scene_folder_, made_folder_;
+  bool allow_outside_;
+  std::map<std::string, std::string> copied_;
+  std::set<std::string> taken_;
+  std::map<std::string, int> count_;
+};
+
+/// The content of a PLY file, which may be compressed by gzip. Throws InputError about the file.
+TriangleMesh read_plain_or_packed_ply(const std::filesystem::path& file);
+
+}  // namespace photonproof::inline scenes_pbrt
