@@ -132,7 +132,9 @@ std::optional<RgbD> PbrtSpectra::metal(const PbrtParameters& parameters, std::st
   const std::string ending = is_k ? "-k" : "-eta";
   if (!named.starts_with("metal-") || !named.ends_with(ending)) return colour(parameters, name);
   const std::string material = named.substr(6, named.size() - 6 - ending.size());
-  const std::optional<ComplexIor> ior = conductor_named(material);
+  std::optional<ComplexIor> ior = conductor_named(material);
+  // Brass, which the others do not have: refractiveindex.info at 650, 550 and 450 nm.
+  if (material == "CuZn") ior = ComplexIor{{0.444, 0.527, 1.094}, {3.695, 2.765, 1.829}};
   if (!ior) parameters.fail(*spectrum, "names an unknown metal: " + in_quotes(named));
   return is_k ? ior->k : ior->eta;
 }

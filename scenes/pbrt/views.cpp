@@ -117,9 +117,9 @@ void read_perspective(PbrtContext& context, const PbrtParameters& p, double scal
   PerspectiveDescription lens;
   lens.fov_axis = FovAxis::x;
   lens.fov_degrees = 2 * std::atan(tangent * width / 2) * 180 / std::numbers::pi;
-  // Ours are shares of the film: of the principal point, rightwards and downwards from the middle.
-  lens.principal_x = (0 - screen[0] - screen[1]) / 2 / width;
-  lens.principal_y = (screen[2] + screen[3]) / 2 / height;
+  // Ours are shares of the film that are added to a pixel's place, rightwards and downwards.
+  lens.principal_x = (screen[0] + screen[1]) / 2 / width;
+  lens.principal_y = (0 - screen[2] - screen[3]) / 2 / height;
   lens.near_clip = 1e-4;
   lens.far_clip = 1e7;
   const double radius = p.number("lensradius", 0, 0, 1e30) * scale, focus = p.number("focaldistance", 1e6, 1e-30, 1e30);

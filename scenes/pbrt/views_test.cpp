@@ -84,7 +84,7 @@ TEST_F(PbrtViewsTest, a_screen_window_is_a_part_of_the_picture_plane) {
   EXPECT_NEAR(tangents(scene).x, 0.5, 1e-12);
   EXPECT_NEAR(tangents(scene).y, 0.5, 1e-12);
   const auto& camera = std::get<PerspectiveDescription>(scene.sensor.camera);
-  EXPECT_NEAR(camera.principal_x, -0.5, 1e-12) << "the axis is at the left border";
+  EXPECT_NEAR(camera.principal_x, 0.5, 1e-12) << "the axis is at the left border";
   EXPECT_NEAR(camera.principal_y, 0, 1e-12);
 }
 
