@@ -82,9 +82,10 @@ bool is_said_to_be_the_engines(const TomlTable& table) {
   return true;
 }
 
-/// Whether a file is to be parsed, so that a mistake in it is reported: it is called XML or begins as a scene does.
+/// Whether a file is to be parsed, so that a mistake in it is reported: it is called XML or PBRT, or begins as a scene
+/// does.
 bool may_be_ours(const fs::path& file) {
-  if (file.extension() == ".xml") return true;
+  if (file.extension() == ".xml" || file.extension() == ".pbrt") return true;
   std::string beginning(1024, '\0');
   std::ifstream(file, std::ios::binary).read(beginning.data(), static_cast<std::streamsize>(beginning.size()));
   return beginning.find("<scene") != std::string::npos;

@@ -184,7 +184,7 @@ constexpr const char* mine =
 constexpr const char* run_of_mine = "[[run]]\nengine = 'mine'\nbudgets = ['spp=1']\nseeds = [1]\n";
 
 TEST_F(SuiteFile, scenes_that_only_the_engine_reads_are_files_folders_words_and_numbers) {
-  put("ball.pbrt", "no XML");
+  put("ball.blend", "no XML");
   std::filesystem::create_directories(folder_ / "room");
   const auto scene_of = [&](const std::string& row) {
     return read(std::string(head) + mine + "[[scene]]\nname = 's'\n" + row + run_of_mine).scenes.at(0);
@@ -195,7 +195,7 @@ TEST_F(SuiteFile, scenes_that_only_the_engine_reads_are_files_folders_words_and_
     std::filesystem::path path;
   };
   for (const auto& [row, reader, path] :
-       {Case{"path = 'ball.pbrt'\n", SceneReader::engine, folder_ / "ball.pbrt"},
+       {Case{"path = 'ball.blend'\n", SceneReader::engine, folder_ / "ball.blend"},
         {"path = 'room'\n", SceneReader::engine, folder_ / "room"},
         {"path = 'a.xml'\nreads = 'engine'\n", SceneReader::engine, folder_ / "a.xml"},
         {"path = 7\n", SceneReader::engine_by_word, "7"},
@@ -226,8 +226,8 @@ TEST_F(SuiteFile, a_missing_file_is_never_taken_for_a_word) {
   const auto of = [&](const std::string& row) {
     return error(std::string(head) + mine + "[[scene]]\nname = 's'\n" + row + run_of_mine);
   };
-  EXPECT_EQ(of("path = 'ball.pbrt'\n"), "s.toml:11:8: error: no such file: ball.pbrt");
-  EXPECT_EQ(of("path = 'ball.pbrt'\nreads = 'engine'\n"), "s.toml:11:8: error: no such file: ball.pbrt");
+  EXPECT_EQ(of("path = 'ball.blend'\n"), "s.toml:11:8: error: no such file: ball.blend");
+  EXPECT_EQ(of("path = 'ball.blend'\nreads = 'engine'\n"), "s.toml:11:8: error: no such file: ball.blend");
   EXPECT_EQ(of("path = 'cornell'\n"),
             "s.toml:11:8: error: no such file: cornell; reads = \"engine\" beside it makes it "
             "a word that only the engine knows");

@@ -112,8 +112,12 @@ ModelScene read_model(const fs::path& model, const fs::path& folder, const Model
   ModelScene scene{read_file(folder / "scene.xml"), folder, {}};
   std::istringstream lines(outcome.standard_output);
   for (std::string line; std::getline(lines, line);)
-    if (const std::vector<std::string> columns = columns_of(line); columns.size() == 2)
-      scene.notes.push_back({columns[0], columns[1]});
+    if (const std::vector<std::string> columns = columns_of(line); columns.size() == 2) {
+      if (columns[0].empty())
+        scene.included.push_back(columns[1]);
+      else
+        scene.notes.push_back({columns[0], columns[1]});
+    }
   return scene;
 }
 

@@ -18,6 +18,7 @@ struct ModelScene {
   std::string text;  ///< names files in `folder`
   std::filesystem::path folder;
   std::vector<SceneNote> notes;  ///< what was supplied, left out or rendered as something else
+  std::vector<std::string> included{};  ///< other texts that were read
 };
 
 struct ModelOptions {

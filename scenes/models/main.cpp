@@ -1,7 +1,8 @@
 // photonproof-read-model [--lenient] [--allow-outside] MODEL FOLDER: writes a model, or a scene of pbrt-v4, as a scene
 // into a folder. The program photonproof runs it for files that are no XML. Standard output has a remark a line, its
-// place, a tab and its text. Exit codes: 0, and 2 for a file that cannot be read, with problems on standard error, each
-// on a line: file, line, column, message and source line between tabs, the last four empty where they are unknown.
+// place, a tab and its text. The place is empty and the text a name where another text was read. Exit codes: 0, and 2
+// for a file that cannot be read. Then standard error has a problem a line: file, line, column, message and source
+// line, between tabs. Line and column are 0 where they are unknown.
 #include <algorithm>
 #include <cstdio>
 #include <exception>
@@ -33,6 +34,7 @@ int read_pbrt_file(const std::string& file, const std::string& folder, bool allo
   const photonproof::PbrtReport report = photonproof::write_pbrt_scene(file, folder, {allow_outside}, lenient);
   for (const photonproof::SceneNote& note : report.notes)
     std::printf("%s\t%s\n", column(note.where).c_str(), column(note.text).c_str());
+  for (const std::string& name : report.included) std::printf("\t%s\n", column(name).c_str());
   for (const photonproof::PbrtProblem& problem : report.problems) print_problem(problem.error, problem.line);
   return report.problems.empty() ? 0 : 2;
 }

@@ -144,6 +144,22 @@ class SceneReader {
   SceneObjects objects_;
 };
 
+/// A line of a text that was made of a model is no place that anybody can look at.
+void forget_lines(SceneDescription& scene) {
+  const auto forget = [](auto& entities) {
+    for (auto& entity : entities) entity.loc = {};
+  };
+  forget(scene.textures);
+  forget(scene.bsdfs);
+  forget(scene.media);
+  forget(scene.groups);
+  for (ShapeGroupDescription& group : scene.groups) forget(group.shapes);
+  forget(scene.shapes);
+  forget(scene.emitters);
+  scene.sensor.loc = {};
+  scene.integrator.loc = {};
+}
+
 }  // namespace
 
 SceneDescription parse_model_file(const std::string& path, const std::string& folder, const ParseOptions& options) {
@@ -151,6 +167,7 @@ SceneDescription parse_model_file(const std::string& path, const std::string& fo
       read_model(path, folder, {.allow_outside = options.allow_outside, .lenient = options.lenient});
   SceneDescription scene = parse_scene_text(model.text, (model.folder / "scene.xml").string(), options);
   scene.notes = model.notes;
+  scene.files.insert(scene.files.end(), model.included.begin(), model.included.end());
   if (model.text.find("<sensor") == std::string::npos) {
     scene.sensor = sensor_around(scene, true);
     scene.notes.push_back({path, "no camera: one of 45 degrees sees the whole model from +z"});
@@ -162,7 +179,8 @@ SceneDescription parse_scene_file(const std::string& path, const ParseOptions& o
   if (!is_model(path)) return parse_scene_text(read_file(path, kMaxFileBytes), path, options);
   const ScratchFolder scratch("model");  // its files are read before it goes
   SceneDescription scene = parse_model_file(path, scratch.path().string(), options);
-  scene.files = {path};
+  forget_lines(scene);
+  scene.files.front() = path;  // in place of what was made of it
   return scene;
 }
 

@@ -42,7 +42,7 @@ std::string PbrtFiles::copy(const fs::path& file) {
   if (const auto known = copied_.find(key); known != copied_.end()) return known->second;
   const std::string name =
       new_name(file.stem().string(), plain(file.extension().string().substr(file.extension().empty() ? 0 : 1)));
-  fs::copy_file(file, made_folder_ / name, fs::copy_options::overwrite_existing, error);
+  if (!made_folder_.empty()) fs::copy_file(file, made_folder_ / name, fs::copy_options::overwrite_existing, error);
   if (error) throw InputError(file.string(), "cannot be copied: " + error.message());
   return copied_[key] = name;
 }
@@ -56,7 +56,13 @@ std::string PbrtFiles::new_name(const std::string& stem, const std::string& endi
 
 std::string PbrtFiles::write(const TriangleMesh& mesh) {
   const std::string name = new_name("mesh-" + std::to_string(++count_["mesh"]), "ply");
-  write_ply(made_folder_ / name, mesh);
+  if (!made_folder_.empty()) write_ply(made_folder_ / name, mesh);
+  return name;
+}
+
+std::string PbrtFiles::write(const Rendering& image, const std::string& stem) {
+  const std::string name = new_name(stem, "exr");
+  if (!made_folder_.empty()) write_exr((made_folder_ / name).string(), image);
   return name;
 }
 

@@ -6,11 +6,13 @@
 #include <set>
 #include <string>
 
+#include "scenes/images/image.h"
 #include "scenes/meshes/mesh.h"
 #include "scenes/pbrt/parameters.h"
 
 namespace photonproof::inline scenes_pbrt {
 
+/// Without a made folder nothing is written.
 class PbrtFiles {
  public:
   PbrtFiles(const PbrtSources& sources, std::filesystem::path scene_folder, std::filesystem::path made_folder,
@@ -25,13 +27,14 @@ class PbrtFiles {
   std::filesystem::path find(const std::string& name, const Place& at) const;
   /// Copies a file to the made folder, once; its name there.
   std::string copy(const std::filesystem::path& file);
-  /// A new name in the made folder, "stem-N.ending".
-  std::string new_name(const std::string& stem, const std::string& ending);
-  std::filesystem::path made(const std::string& name) const { return made_folder_ / name; }
-  /// Writes a mesh to the made folder; its name there.
+  /// Writes a mesh or an image to the made folder; its name there.
   std::string write(const TriangleMesh& mesh);
+  std::string write(const Rendering& image, const std::string& stem);
 
  private:
+  /// A new name in the made folder, "stem-N.ending".
+  std::string new_name(const std::string& stem, const std::string& ending);
+
   const PbrtSources& sources_;
   std::filesystem::path scene_folder_, made_folder_;
   bool allow_outside_;

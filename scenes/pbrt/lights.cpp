@@ -58,8 +58,8 @@ void add_distant(PbrtContext& context, const PbrtEntity& light) {
   add(context, DirectionalLightDescription{normalize(direction), context.spectra.light(p, "L") * factor});
 }
 
-/// What pbrt takes for the illuminance of a square image on a plane that faces +z: the mean of the upper half's pixels
-/// over all pixels, times 2 pi. That is half the illuminance.
+/// pbrt's illuminance of a square image on a plane that faces +z: the sum over the upper half's pixels divided by the
+/// number of all pixels, times 2 pi. That is half the true one.
 double illuminance_of(const Image& square) {
   double sum = 0;
   for (int y = 0; y < square.height; ++y)
@@ -100,9 +100,8 @@ void add_infinite(PbrtContext& context, const PbrtEntity& light) {
   Rendering map;
   map.mean = latitude_longitude(square, *to_light);
   EnvmapDescription environment;
-  environment.filename = context.files.new_name("environment", "exr");
   environment.scale = factor_of(context, p, "illuminance", std::max(1e-30, illuminance_of(square)));
-  write_exr(context.files.made(environment.filename).string(), map);
+  environment.filename = context.files.write(map, "environment");
   add(context, environment);
 }
 

@@ -36,7 +36,7 @@ PbrtMaterials::Made PbrtMaterials::made(const PbrtState& state, const PbrtParame
 PbrtMaterials::Made PbrtMaterials::made(const PbrtEntityPtr& material, int depth) {
   if (const auto known = made_.find(material); known != made_.end()) return known->second;
   if (!material) return made_[material] = {add_two_sided(DiffuseDescription{}), false};
-  // What cannot be read is told, and shapes that have it are grey.
+  // A material that cannot be read is told once, and its shapes are grey.
   Made result;
   bool is_read = false;
   context_.log.attempt([&] {
@@ -241,9 +241,7 @@ TextureIndex PbrtMaterials::normal_map(const PbrtParameters& p, const PbrtParame
   turned.mean = read_texture_image(path.string(), true);
   for (std::size_t i = 1; i < turned.mean.rgb.size(); i += 3)
     turned.mean.rgb[i] = std::max(0.0f, 1 - turned.mean.rgb[i]);
-  const std::string name = context_.files.new_name(path.stem().string(), "exr");
-  write_exr(context_.files.made(name).string(), turned);
-  return textures_.image(context_.files.made(name), true, RgbD(1.0));
+  return textures_.image(turned, path.stem().string());
 }
 
 PbrtMaterials::Made PbrtMaterials::masked(Made material, const PbrtParameters& shape) {

@@ -28,6 +28,7 @@ PbrtReport write_pbrt_scene(const std::filesystem::path& file, const std::filesy
       report.notes.push_back({error.place(), "left out: " + error.message()});
     else
       report.problems.push_back({error, sources.line(error.place().substr(0, error.place().find(':')), error.line())});
+  for (std::size_t i = 1; i < sources.count(); ++i) report.included.push_back(sources.name(i));
   report.notes.insert(report.notes.end(), log.notes().begin(), log.notes().end());
   if (report.problems.empty()) write_file_atomically(folder / "scene.xml", write_scene(scene));
   return report;

@@ -17,6 +17,7 @@ struct PbrtProblem {
 struct PbrtReport {
   std::vector<SceneNote> notes;       ///< what was rendered as something else, or left out
   std::vector<PbrtProblem> problems;  ///< what cannot be read
+  std::vector<std::string> included;  ///< the texts that were read beside the file itself
 };
 
 /// Writes scene.xml and the files that it names into `folder`. With problems nothing useful is written, unless

@@ -41,7 +41,10 @@ class PbrtReader {
       if (token.kind == PbrtToken::Kind::end)
         open_.pop_back();
       else
-        log_.attempt([&] { directive(tokens, token); });
+        log_.attempt([&] {
+          directive(tokens, token);
+          check_place(token);
+        });
     }
     finish();
     return std::move(scene_);
@@ -73,6 +76,13 @@ class PbrtReader {
   PbrtEntity typed(PbrtTokens& tokens, const PbrtToken& token, const char* kind);
   void times(const Transform& t) {
     if (moves_) state_.ctm = state_.ctm * t;
+  }
+  /// Larger numbers no file of ours may hold.
+  void check_place(const PbrtToken& token) {
+    constexpr double most = 1e30;
+    if (std::all_of(state_.ctm.m.begin(), state_.ctm.m.end(), [](double v) { return std::abs(v) <= most; })) return;
+    state_.ctm = Transform();
+    sources_.fail(token.at, "the transform is too large");
   }
   void check_count(const PbrtToken& token) const {
     if (count_ >= kMostShapes) sources_.fail(token.at, "the scene has too many shapes");

@@ -14,7 +14,8 @@ struct PbrtOptions {
 };
 
 /// The scene of a text that stands for the file `name`. Files that are made for it, and copies of those that it names,
-/// go into `made`. Problems and remarks go into the log. Throws InputError where reading cannot go on.
+/// go into `made`; without a name of that, nowhere. Problems and remarks go into the log. Throws InputError where
+/// reading cannot go on.
 SceneDescription read_pbrt(PbrtSources& sources, PbrtLog& log, std::string text, const std::string& name,
                            const std::filesystem::path& made, const PbrtOptions& options);
 

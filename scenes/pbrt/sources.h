@@ -25,6 +25,7 @@ class PbrtSources {
     files_.push_back({std::move(name), std::move(text)});
     return files_.size() - 1;
   }
+  std::size_t count() const { return files_.size(); }
   std::string_view text(std::size_t file) const { return files_[file].text; }
   const std::string& name(std::size_t file) const { return files_[file].name; }
   /// Throws InputError at a place.

@@ -17,8 +17,8 @@ class PbrtSpectra {
 
   /// A reflectance, or coefficients of a medium: the parameter "rgb", "spectrum" or "float".
   std::optional<RgbD> colour(const PbrtParameters& parameters, std::string_view name) const;
-  /// Light. pbrt multiplies an rgb by the white of its colour space, and scales every spectrum to a luminance of 1: so
-  /// an rgb is itself, and any other spectrum has the luminance 1.
+  /// The colour of a light. pbrt multiplies an rgb by the white of its colour space, and scales every spectrum to a
+  /// luminance of 1. So an rgb is itself, and any other spectrum has the luminance 1.
   RgbD light(const PbrtParameters& parameters, std::string_view name) const;
   /// The index of refraction of a dielectric: a number, or a glass by name at 588 nm.
   double index(const PbrtParameters& parameters, std::string_view name, double fallback) const;

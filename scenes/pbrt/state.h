@@ -1,4 +1,4 @@
-// What pbrt's directives share: the scene in the making, and the state that blocks of attributes save.
+// The scene in the making, which all of pbrt's directives share, and the state that blocks of attributes save.
 #pragma once
 
 #include <map>
@@ -22,7 +22,7 @@ struct PbrtEntity {
 };
 using PbrtEntityPtr = std::shared_ptr<const PbrtEntity>;
 
-/// What AttributeBegin saves.
+/// The part that AttributeBegin saves.
 struct PbrtState {
   Transform ctm;
   bool reverse = false;

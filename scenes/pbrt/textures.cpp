@@ -197,9 +197,8 @@ TextureIndex PbrtTextures::made_image(const Pattern& pattern, Use use) {
     changed.mean.rgb[i] =
         static_cast<float>(value_for(std::max(0.0, pattern.invert ? 1 - stored : stored) * outer, use));
   }
-  bitmap.filename = context_.files.new_name(pattern.file.stem().string(), "exr");
+  bitmap.filename = context_.files.write(changed, pattern.file.stem().string());
   bitmap.raw = true;
-  write_exr(context_.files.made(bitmap.filename).string(), changed);
   return add(bitmap);
 }
 
@@ -210,6 +209,13 @@ TextureIndex PbrtTextures::image(const fs::path& file, bool raw, const RgbD& fac
   pattern.raw = raw;
   pattern.factor = factor;
   return made_image(pattern, Use::number);
+}
+
+TextureIndex PbrtTextures::image(const Rendering& image, const std::string& stem) {
+  BitmapDescription bitmap;
+  bitmap.filename = context_.files.write(image, stem);
+  bitmap.raw = true;
+  return add(bitmap);
 }
 
 TextureIndex PbrtTextures::add(decltype(TextureDescription::pattern) pattern) {

@@ -13,7 +13,7 @@ namespace photonproof::inline scenes_pbrt {
 
 class PbrtTextures {
  public:
-  /// What a texture's values are for: shares are at most 1, and a root is that of a roughness, which is an alpha.
+  /// The use of a texture's values. Shares are at most 1; a root is that of a roughness, which is an alpha.
   enum class Use { share, number, root };
 
   explicit PbrtTextures(PbrtContext& context) : context_(context) {}
@@ -27,6 +27,8 @@ class PbrtTextures {
   Scalar number(const PbrtParameters& parameters, std::string_view name, double fallback, Use use);
   /// An image as a texture.
   TextureIndex image(const std::filesystem::path& file, bool raw, const RgbD& factor);
+  /// An image that was made for the scene.
+  TextureIndex image(const Rendering& image, const std::string& stem);
 
  private:
   /// A texture's meaning, before it is known what its values are for.

@@ -48,7 +48,7 @@ TEST_F(PbrtViewsTest, transforms_are_given_by_columns_and_applied_last_first) {
       "Translate 10 0 0 Scale 2 2 2 Rotate 90 0 0 1\n"
       "ConcatTransform [ 1 0 0 0  0 1 0 0  0 0 1 0  5 0 0 1 ]\n" +
       std::string(kLight));
-  // (1,2,3) + (5,0,0) = (6,2,3); turned: (-2,6,3); twice: (-4,12,6); moved: (6,12,6). Our world is mirrored in x.
+  // (1,2,3) + (5,0,0) is (6,2,3), turned (-2,6,3), twice (-4,12,6), moved (6,12,6). Our world is mirrored in x.
   EXPECT_NEAR(length(std::get<PointLightDescription>(scene.emitters[0].light).position - Vec3d(-6, 12, 6)), 0, 1e-12);
 }
 

@@ -87,7 +87,7 @@ void add_convert_verb(CLI::App& program, int& exit_code) {
   CLI::App* verb = add_verb(
       program, {.name = "convert",
                 .group = render_group,
-                .purpose = "Write a scene of Mitsuba, or a glTF, OBJ or PLY model, in this format",
+                .purpose = "Write a scene of Mitsuba or pbrt, or a glTF, OBJ or PLY model, in this format",
                 .examples = {"photonproof convert model.glb model", "photonproof convert old.xml new --lenient"},
                 .exit_codes = {done, bad_input, internal_error}});
   add_scene_options(*verb, arguments->scene);

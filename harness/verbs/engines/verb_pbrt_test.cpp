@@ -51,7 +51,7 @@ double difference(const Rendering& a, const Rendering& b) {
   return sum / count;
 }
 
-/// Of the pixels above half the brightest one, the middle, from the left and from above, as shares of the film.
+/// The middle of the pixels above half the brightest one, from the left and from above, as shares of the film.
 Vec2<double> bright_place(const Image& image) {
   const float most = *std::max_element(image.rgb.begin(), image.rgb.end());
   Vec2<double> sum;
@@ -241,6 +241,7 @@ TEST_F(PbrtScenes, an_example_of_several_files_is_rendered_converted_and_measure
   EXPECT_EQ(read_image((folder_ / "a.exr").string()).rgb, read_image((folder_ / "b.exr").string()).rgb);
   put("suite.toml",
       "name = \"s\"\ntitle = \"S\"\n[[scene]]\nname = \"yard\"\npath = \"scene.pbrt\"\nwidth = 32\nheight = 20\n"
+      "reference = {engine = \"path\", budget = \"spp=16\", seed = 9}\n"
       "[[run]]\nengine = \"path\"\nbudgets = [\"spp=4\"]\nseeds = [1, 2]\n");
   const ProcessOutcome bench = run({"bench", "suite.toml", "-o", "out"});
   EXPECT_EQ(bench.exit_code, 0) << bench.standard_error << bench.standard_output;
