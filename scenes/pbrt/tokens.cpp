@@ -1,5 +1,6 @@
 #include "scenes/pbrt/tokens.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace photonproof::inline scenes_pbrt {
