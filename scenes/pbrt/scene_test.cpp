@@ -197,6 +197,9 @@ TEST_F(PbrtSceneTest, equal_areas_of_the_square_are_equal_angles) {
   near({-1, 0, 0}, 0, .5);
   near({1, 1, -1e-9}, .75, .75);
   near({-1e-9, -1e-9, -1}, 0, 0);
+  // Below +x the border is followed from its middle to a corner, by the share of the cap: 1 - sqrt(1 - |z|).
+  near({std::sqrt(.75), 1e-12, -.5}, 1, .5 + (1 - std::sqrt(.5)) / 2);
+  near({1e-12, std::sqrt(.75), -.5}, .5 + (1 - std::sqrt(.5)) / 2, 1);
   // The cap above z has the share (1 - z) / 2 of the sphere; its edge at +x is a corner of a diamond of that area.
   for (const double z : {.9, .5, .1}) {
     const double half = equal_area_square({std::sqrt(1 - z * z), 0, z}).x - .5;

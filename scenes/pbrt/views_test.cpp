@@ -77,15 +77,15 @@ TEST_F(PbrtViewsTest, fov_is_along_the_shorter_axis) {
 }
 
 TEST_F(PbrtViewsTest, a_screen_window_is_a_part_of_the_picture_plane) {
-  // x from 0 to 1 and y from -0.5 to 0.5 of a plane on which the fov of 90 is [-1,1]: half as wide, moved to the right.
+  // x from 0 to 1 and y from -0.25 to 0.75 of a plane on which the fov of 90 is [-1,1]: half as wide, moved.
   const SceneDescription scene = read(
-      "Camera \"perspective\" \"float screenwindow\" [ 0 1 -.5 .5 ]\n"
+      "Camera \"perspective\" \"float screenwindow\" [ 0 1 -.25 .75 ]\n"
       "Film \"rgb\" \"integer xresolution\" 64 \"integer yresolution\" 64 WorldBegin");
   EXPECT_NEAR(tangents(scene).x, 0.5, 1e-12);
   EXPECT_NEAR(tangents(scene).y, 0.5, 1e-12);
   const auto& camera = std::get<PerspectiveDescription>(scene.sensor.camera);
   EXPECT_NEAR(camera.principal_x, 0.5, 1e-12) << "the axis is at the left border";
-  EXPECT_NEAR(camera.principal_y, 0, 1e-12);
+  EXPECT_NEAR(camera.principal_y, -0.25, 1e-12) << "three quarters are above the axis";
 }
 
 TEST_F(PbrtViewsTest, a_camera_that_is_scaled_has_its_lens_in_world_units) {
