@@ -14,6 +14,8 @@
 #include "scenes/generators/library_assets.h"
 #include "scenes/generators/many_lights.h"
 #include "scenes/generators/million.h"
+#include "scenes/generators/showcase_assets.h"
+#include "scenes/generators/showcase_shapes.h"
 
 namespace photonproof::inline harness_verbs {
 namespace {
@@ -23,6 +25,7 @@ namespace fs = std::filesystem;
 struct GenerateArguments {
   std::string triangles;
   int lights = 1000;
+  double detail = 1;
   std::string folder;
   bool force = false;
 };
@@ -71,17 +74,29 @@ int run_many_lights(const GenerateArguments& arguments) {
   return 0;
 }
 
-int run_assets(const GenerateArguments& arguments) {
+/// Writes the files of a table of assets; `write_one` takes one and its file.
+template <class Asset, class Write>
+int write_assets(const std::vector<Asset>& assets, const GenerateArguments& arguments, const Write& write_one) {
   const fs::path folder = arguments.folder;
   std::vector<std::string> files;
-  for (const LibraryAsset& asset : library_assets()) files.push_back(asset.path);
+  for (const Asset& asset : assets) files.push_back(asset.path);
   check_free(folder, files, arguments.force);
-  for (const LibraryAsset& asset : library_assets()) {
+  for (const Asset& asset : assets) {
     make_folder((folder / asset.path).parent_path());
-    asset.write(folder / asset.path);
+    write_one(asset, folder / asset.path);
     std::printf("%s\n", (folder / asset.path).c_str());
   }
   return 0;
+}
+
+int run_assets(const GenerateArguments& arguments) {
+  return write_assets(library_assets(), arguments,
+                      [](const LibraryAsset& asset, const fs::path& file) { asset.write(file); });
+}
+
+int run_showcase(const GenerateArguments& arguments) {
+  return write_assets(showcase_assets(), arguments,
+                      [&](const ShowcaseAsset& asset, const fs::path& file) { asset.write(file, arguments.detail); });
 }
 
 /// Where to write, and whether over what is there: every scene's options.
@@ -94,14 +109,15 @@ void add_folder_options(CLI::App& verb, GenerateArguments& arguments) {
 }  // namespace
 
 void add_generate_verb(CLI::App& program, int& exit_code) {
-  CLI::App* verb =
-      add_verb(program, {.name = "generate",
-                         .group = render_group,
-                         .purpose = "Write a scene, or files of the scene library, that are computed and not stored",
-                         .examples = {"photonproof generate million --triangles 1e6 -o million",
-                                      "photonproof generate many-lights --lights 1000 -o many-lights",
-                                      "photonproof generate assets -o assets"},
-                         .exit_codes = {done, bad_input, internal_error}});
+  CLI::App* verb = add_verb(
+      program,
+      {.name = "generate",
+       .group = render_group,
+       .purpose = "Write a scene, or files of the scene library, that are computed and not stored",
+       .examples = {"photonproof generate million --triangles 1e6 -o million",
+                    "photonproof generate many-lights --lights 1000 -o many-lights",
+                    "photonproof generate assets -o assets", "photonproof generate showcase --detail 10 -o showcase"},
+       .exit_codes = {done, bad_input, internal_error}});
   verb->require_subcommand(1);
   auto arguments = std::make_shared<GenerateArguments>();
   CLI::App* million = verb->add_subcommand("million", "A landscape of as many triangles as asked for");
@@ -124,6 +140,15 @@ void add_generate_verb(CLI::App& program, int& exit_code) {
   assets->group("Files");
   add_folder_options(*assets, *arguments);
   assets->callback([arguments, &exit_code] { exit_code = run_assets(*arguments); });
+  CLI::App* showcase =
+      verb->add_subcommand("showcase", "The meshes and textures of the scenes to show, as fine as asked for");
+  showcase->group("Files");
+  begin_option_group(*showcase, input_group);
+  showcase->add_option("--detail", arguments->detail, "factor of the number of triangles of curved bodies")
+      ->check(CLI::Range(kLeastDetail, kMostDetail))
+      ->capture_default_str();
+  add_folder_options(*showcase, *arguments);
+  showcase->callback([arguments, &exit_code] { exit_code = run_showcase(*arguments); });
 }
 
 }  // namespace photonproof::inline harness_verbs
