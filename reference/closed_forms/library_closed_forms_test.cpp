@@ -259,10 +259,11 @@ TEST(library_mean, of_glass_slab) {
 TEST(library_mean, of_absorption) {
   const auto scene = load("absorption");
   const auto& ink = std::get<HomogeneousDescription>(scene.media.at(0).model);
+  const RgbD sigma_t = ink.sigma_t * ink.scale;
   expect_stated_mean(
       "absorption", mean_over_angles(scene, [&](double angle) {
         const double d = 1 / std::cos(angle);
-        return RgbD{transmittance(ink.sigma_t.x, d), transmittance(ink.sigma_t.y, d), transmittance(ink.sigma_t.z, d)};
+        return RgbD{transmittance(sigma_t.x, d), transmittance(sigma_t.y, d), transmittance(sigma_t.z, d)};
       }));
 }
 
