@@ -46,5 +46,23 @@ TEST_F(GenerateVerb, refuses_other_counts) {
   EXPECT_FALSE(has("made"));
 }
 
+TEST_F(GenerateVerb, writes_showcase_at_the_detail_that_is_asked_for) {
+  const auto showcase = [&](const char* detail, const char* folder) {
+    return run_process({PHOTONPROOF_BINARY, "generate", "showcase", "--detail", detail, "-o", folder_ / folder},
+                       {.wall_limit_seconds = 60});
+  };
+  const ProcessOutcome coarse = showcase("0.25", "coarse");
+  EXPECT_EQ(coarse.exit_code, 0) << coarse.standard_error;
+  EXPECT_NE(coarse.standard_output.find((folder_ / "coarse/gallery/knot.ply").string() + "\n"), std::string::npos);
+  EXPECT_EQ(showcase("1", "stored").exit_code, 0);
+  EXPECT_EQ(get("stored/foggy-stage/prism.ply"), get("coarse/foggy-stage/prism.ply"));
+  const double sizes = static_cast<double>(get("stored/gallery/knot.ply").size()) /
+                       static_cast<double>(get("coarse/gallery/knot.ply").size());
+  EXPECT_NEAR(sizes, 4, 0.4);
+  EXPECT_EQ(showcase("1", "stored").exit_code, 2) << "the files are there";
+  EXPECT_EQ(showcase("0", "none").exit_code, 2);
+  EXPECT_FALSE(has("none"));
+}
+
 }  // namespace
 }  // namespace photonproof::inline harness_verbs
