@@ -175,6 +175,7 @@ struct PlasticDescription {
   Colour diffuse_reflectance = RgbD(0.5), specular_reflectance = RgbD(1.0);
   double int_ior = 1.49, ext_ior = 1.000277;  // polypropylene, air
   bool nonlinear = false;                     ///< colours shift with every internal reflection
+  bool fitted_inside = false;                 ///< the coat reflects from below by Mitsuba's fit (as_mitsuba.h)
   friend bool operator==(const PlasticDescription&, const PlasticDescription&) = default;
 };
 
@@ -290,6 +291,7 @@ struct BlendDescription {
       .transmits = false, .specular = false, .refracts = false, .focuses = false, .shows_others = false};
   Scalar weight = 0.5;
   BsdfIndex first, second;
+  bool mixes_mirrors = false;  ///< a mirror's sample is weighted against the other BSDF's density (as_mitsuba.h)
   friend bool operator==(const BlendDescription&, const BlendDescription&) = default;
 };
 

@@ -31,6 +31,7 @@ struct SceneDescription {
   std::vector<EmitterDescription> emitters;
   SensorDescription sensor;
   IntegratorDescription integrator;
+  bool as_mitsuba = false;       ///< ParseOptions::as_mitsuba
   std::vector<SceneNote> notes;  ///< differences from the file: stand-ins, and what ParseOptions::lenient left out
 
   /// "file:line:col" of an entity, for messages of later stages.

@@ -210,6 +210,7 @@ struct ShapeDescription {
   bool flip_normals = false;
   BsdfIndex bsdf;
   std::optional<Colour> radiance;                 ///< of an area emitter on the side the normal points to
+  bool emits_by_vertex_normals = false;           ///< a mesh that emits by interpolated normals (as_mitsuba.h)
   std::optional<MediumIndex> interior, exterior;  ///< behind the surface and before it
 };
 

@@ -2,9 +2,11 @@
 #include "scenes/parser/parser.h"
 
 #include <algorithm>
+#include <iterator>
 #include <type_traits>
 
 #include "scenes/description/sensor_around.h"
+#include "scenes/dialect/as_mitsuba.h"
 #include "scenes/dialect/element_edit.h"
 #include "scenes/dialect/model_file.h"
 #include "scenes/dialect/stand_ins.h"
@@ -193,9 +195,12 @@ SceneDescription parse_scene_text(std::string_view text, const std::string& name
   const int file = sources.add(name, std::string(text));
   Element root = expand_scene(sources, file, folders, options);
   std::vector<SceneNote> notes = use_stand_ins(sources, root);
+  if (options.as_mitsuba) std::ranges::copy(rotate_as_mitsuba(sources, root), std::back_inserter(notes));
   SceneDescription scene = SceneReader(sources, folders, root).run(options);
   scene.notes.insert(scene.notes.begin(), notes.begin(), notes.end());
+  if (options.as_mitsuba) follow_mitsuba(scene);
   for (const auto& [define, value] : options.defines) scene.defines.push_back(define + "=" + value);
+  if (options.as_mitsuba) scene.defines.push_back("--as-mitsuba");
   if (options.sensor != 0) scene.defines.push_back("--sensor=" + std::to_string(options.sensor));
   return scene;
 }

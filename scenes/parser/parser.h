@@ -14,6 +14,7 @@ struct ParseOptions {
   bool allow_outside = false;                  ///< let includes and meshes leave the scene's folder
   int sensor = 0;                              ///< which of the scene's sensors, counted from 0
   bool lenient = false;                        ///< leave out what cannot be read, with a note for each
+  bool as_mitsuba = false;  ///< follow Mitsuba where it is wrong (as_mitsuba.h), with a note for each
 };
 
 /// Reads a scene, or a model of another format (model_file.h) to which a camera and a light are supplied.
