@@ -4,6 +4,7 @@
 #include <cmath>
 #include <memory>
 
+#include "renderer/api/direct_as_mitsuba.h"
 #include "renderer/api/render_identity.h"
 #include "renderer/api/request_checks.h"
 #include "renderer/core/parallel.h"
@@ -53,9 +54,10 @@ RenderJob job_of(const SceneDescription& description, const RenderRequest& reque
 class SceneRender {
  public:
   SceneRender(const SceneDescription& description, const RenderRequest& request)
-      : description_(description),
-        request_(request),
+      : request_(request),
         method_(method_of(description, request)),
+        changed_(direct_as_mitsuba(description, method_)),
+        description_(changed_ ? *changed_ : description),
         job_(job_of(description, request)) {
     check_supported(description_, method_);
     check_job(job_, method_);
@@ -148,13 +150,24 @@ class SceneRender {
       const PhaseTimer timer(stats_.phases["alpha"]);
       rendering.alpha = coverage(*scene_, job_, method_.limits().hide_emitters, window_,
                                  static_cast<std::int64_t>(samples_per_pixel()));
+      if (shows_environment_as_mitsuba()) {
+        std::ranges::fill(rendering.alpha, 1.0f);
+        keep({{description_.where(description_.sensor.loc), "as in Mitsuba, the environment counts in channel A"}});
+      }
     }
+    if (description_.as_mitsuba) rendering.metadata["photonproof:as_mitsuba"] = "3.9.1";
     rendering.metadata["photonproof:version"] = version_line();
     rendering.metadata["photonproof:sampler"] = sampler_name(job_.sampler);
     rendering.metadata["photonproof:isa"] = plan_.isa;
     if (stats_.counts.contains("photons_stored_global") || stats_.counts.contains("photons_stored_caustic"))
       store_shared_photons(rendering);
     return rendering;
+  }
+
+  /// Mitsuba's `path` and `volpath` take a visible environment for a shape in channel A.
+  bool shows_environment_as_mitsuba() const {
+    return description_.as_mitsuba && (plan_.integrator == "path" || plan_.integrator == "volpath") &&
+           !method_.limits().hide_emitters && scene_->view().environment != no_index;
   }
 
   double samples_per_pixel() const { return stats_.counts.at("samples_per_pixel"); }
@@ -171,9 +184,10 @@ class SceneRender {
     for (const SceneNote& note : notes) stats_.losses.push_back(note.where + ": " + note.text);
   }
 
-  const SceneDescription& description_;
   const RenderRequest& request_;
   IntegratorDescription method_;
+  const std::optional<SceneDescription> changed_;
+  const SceneDescription& description_;
   RenderJob job_;
   Tile window_;
   RenderPlan plan_;

@@ -25,7 +25,11 @@ BsdfNode map(Kind kind, BsdfIndex nested, const TexturedNumber& number, const Ma
 
 BsdfNode node(const TwoSidedDescription& d) { return wrapper(Kind::two_sided, d.front, d.back, {}); }
 BsdfNode node(const MaskDescription& d) { return wrapper(Kind::mask, d.nested, d.nested, textured(d.opacity)); }
-BsdfNode node(const BlendDescription& d) { return wrapper(Kind::blend, d.first, d.second, textured(d.weight)); }
+BsdfNode node(const BlendDescription& d) {
+  BsdfNode blend = wrapper(Kind::blend, d.first, d.second, textured(d.weight));
+  blend.mixes_mirrors = d.mixes_mirrors;
+  return blend;
+}
 BsdfNode node(const BumpMapDescription& d) {
   return map(Kind::bump, d.nested, {static_cast<float>(d.scale), d.height.value}, d.normal_options);
 }

@@ -32,6 +32,7 @@ struct BsdfNode {
   bool has_directions = false;       ///< a leaf that needs the tangent along dp/du
   bool flips = false;                ///< a map that mirrors its normal to face the viewer
   bool shadows = false;              ///< a map whose bumps shadow each other
+  bool mixes_mirrors = false;        ///< a blend: BlendDescription::mixes_mirrors
 };
 
 /// The nodes in the order of the description's indices.

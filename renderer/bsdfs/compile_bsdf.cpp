@@ -47,8 +47,8 @@ class Compiler {
   }
   Bsdf operator()(const PlasticDescription& d) {
     using Record = PlasticBsdf<float>;
-    return Record{ratio(d.int_ior, d.ext_ior), static_cast<float>(diffuse_fresnel_loss(d.ext_ior / d.int_ior)),
-                  d.nonlinear ? 1.0f : 0.0f, colour(d.diffuse_reflectance, offsetof(Record, diffuse)),
+    return Record{ratio(d.int_ior, d.ext_ior), static_cast<float>(lost_inside(d)), d.nonlinear ? 1.0f : 0.0f,
+                  colour(d.diffuse_reflectance, offsetof(Record, diffuse)),
                   colour(d.specular_reflectance, offsetof(Record, specular))};
   }
   Bsdf operator()(const RoughPlasticDescription& d) {
@@ -106,6 +106,10 @@ class Compiler {
                     const char* why = "int_ior and ext_ior must differ by 5e-7 of each other at least") const {
     constexpr float least = 4 * 0x1p-23f;
     if (std::abs(ratio(int_ior, ext_ior) - 1) < least) refuse(why);
+  }
+  static double lost_inside(const PlasticDescription& d) {
+    const double eta = d.ext_ior / d.int_ior;
+    return d.fitted_inside ? 1 - fitted_diffuse_reflectance(eta) : diffuse_fresnel_loss(eta);
   }
   static float ratio(double int_ior, double ext_ior) { return static_cast<float>(int_ior / ext_ior); }
 

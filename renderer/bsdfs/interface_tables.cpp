@@ -91,6 +91,12 @@ double diffuse_fresnel_loss(double eta, double depth) {
   return (absorbed + through) / cells;
 }
 
+double fitted_diffuse_reflectance(double eta) {
+  if (eta < 1) return -1.4399 * eta * eta + 0.7099 * eta + 0.6681 + 0.0636 / eta;
+  const double x = 1 / eta;
+  return 0.919317 + x * (-3.4793 + x * (6.75335 + x * (-7.80989 + x * (4.98554 - x * 1.36881))));
+}
+
 double rough_reflectance(const Microfacets<float>& facets, double cos_wo, double eta) {
   const Vec3f wo = at_cosine(cos_wo);
   return mean_over_facets(facets, wo, [&](const Vec3f& m) -> double {

@@ -12,6 +12,10 @@ namespace photonproof::inline renderer_bsdfs {
 /// ior of the far side / ior of the side the light is on.
 double diffuse_fresnel_loss(double eta, double depth = 0);
 
+/// 1 - diffuse_fresnel_loss(eta) as Mitsuba's plastic has it: by the fits of Egan and Hilgeman (1973) for eta < 1 and
+/// of d'Eon and Irving (2011) otherwise.
+double fitted_diffuse_reflectance(double eta);
+
 struct RoughInterface {
   std::array<float, RoughPlasticBsdf<float>::coefficients> through;  ///< RoughPlasticBsdf::through
   float lost_inside;                                                 ///< RoughPlasticBsdf::lost_inside

@@ -44,6 +44,7 @@ struct Viewpoint {
   std::optional<Vec3f> operator()(const AreaLight& l) const {
     return std::visit([&](const auto& shape) { return of_shape(shape); }, l.shape());
   }
+  std::optional<Vec3f> operator()(const SmoothMeshLight&) const { return std::nullopt; }
   template <class L>
   requires(L::is_delta || L::is_infinite) std::optional<Vec3f>
   operator()(const L&) const { return std::nullopt; }

@@ -8,7 +8,9 @@
 
 namespace photonproof::inline renderer_light_sampling {
 
-std::vector<LightWords> light_table(const std::vector<Light>& lights) {
+namespace {
+
+std::vector<double> probabilities_by_flux(const std::vector<Light>& lights) {
   const std::size_t count = lights.size();
   std::vector<double> share(count);
   std::array<double, 2> power{};         // of finite and of infinite lights
@@ -30,11 +32,23 @@ std::vector<LightWords> light_table(const std::vector<Light>& lights) {
     if (share[i] > 0)
       share[i] = together[group] * 0.5 * (share[i] / power[group] + 1 / static_cast<double>(shining[group]));
   }
-  const bool any_shines = shining[0] + shining[1] > 0;
+  if (shining[0] + shining[1] == 0) share.assign(count, 1.0 / static_cast<double>(count));
+  return share;
+}
+
+}  // namespace
+
+std::vector<LightWords> light_table(const std::vector<Light>& lights) {
+  return light_table(lights, probabilities_by_flux(lights));
+}
+
+std::vector<LightWords> light_table(const std::vector<Light>& lights, const std::vector<double>& probabilities) {
+  const std::size_t count = lights.size();
+  std::vector<double> share(count);
   std::vector<LightWords> table(count);
   std::vector<std::size_t> poor, rich;
   for (std::size_t i = 0; i < count; ++i) {
-    const double p = any_shines ? share[i] : 1.0 / static_cast<double>(count);
+    const double p = probabilities[i];
     table[i] = {kernel_kind(lights[i]), static_cast<float>(p), 1, static_cast<std::uint32_t>(i), no_index};
     share[i] = p * static_cast<double>(count);
     (share[i] < 1 ? poor : rich).push_back(i);

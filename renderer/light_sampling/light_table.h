@@ -15,6 +15,9 @@ namespace photonproof::inline renderer_light_sampling {
 /// scene, which is a poor measure of their effect at a place. The caller sets `primitive`.
 std::vector<LightWords> light_table(const std::vector<Light>& lights);
 
+/// The same table with these probabilities, which add up to 1.
+std::vector<LightWords> light_table(const std::vector<Light>& lights, const std::vector<double>& probabilities);
+
 /// Records of the lights that kernels sample in lanes, LightKinds::stride floats each; unused for other lights.
 std::vector<float> light_records(const std::vector<Light>& lights);
 

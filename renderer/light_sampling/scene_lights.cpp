@@ -6,7 +6,8 @@
 
 namespace photonproof::inline renderer_light_sampling {
 
-SceneLights::SceneLights(const std::vector<Light>& lights, const std::vector<LightWords>& words, const SceneBall& ball)
+SceneLights::SceneLights(const std::vector<Light>& lights, const std::vector<LightWords>& words, const SceneBall& ball,
+                         bool by_position)
     : lights_(lights), words_(words), ball_(ball) {
   for (std::uint32_t i = 0; i < lights.size(); ++i) {
     if (std::holds_alternative<EnvironmentLight>(lights[i])) environment_ = i;
@@ -14,7 +15,7 @@ SceneLights::SceneLights(const std::vector<Light>& lights, const std::vector<Lig
     infinite_.push_back(i);
     infinite_probability_ += words[i].probability;
   }
-  if (wants_tree(lights)) tree_ = std::make_unique<LightTree>(lights);
+  if (by_position && wants_tree(lights)) tree_ = std::make_unique<LightTree>(lights);
 }
 
 bool SceneLights::wants_tree(const std::vector<Light>& lights) {

@@ -58,8 +58,9 @@ struct LightStart : Emission<float> {
 class SceneLights {
  public:
   /// The `words` are the scene's light_table. More than `most_in_table` finite lights are chosen by position
-  /// (light_tree.h). Arguments must outlive this object.
-  SceneLights(const std::vector<Light>& lights, const std::vector<LightWords>& words, const SceneBall& ball);
+  /// (light_tree.h), unless `by_position` is false. Arguments must outlive this object.
+  SceneLights(const std::vector<Light>& lights, const std::vector<LightWords>& words, const SceneBall& ball,
+              bool by_position = true);
   ~SceneLights();
   SceneLights(const SceneLights&) = delete;
   SceneLights& operator=(const SceneLights&) = delete;

@@ -72,6 +72,13 @@ struct LightShaper {
   [[noreturn]] void refuse() const { throw InputError(where, "this shape cannot be a light"); }
 };
 
+Light smooth_mesh_light(const Surface& surface, const Rgb& radiance) {
+  const Mesh& mesh = std::get<Mesh>(surface.geometry);
+  std::vector<Vec3f> positions(mesh.positions.begin(), mesh.positions.end() - 1);  // the last is padding
+  return SmoothMeshLight(MeshShape(std::move(positions), mesh.source->triangles, {}, mesh.inward, surface.long_faces),
+                         mesh.source->triangles, mesh.normals, mesh.inward, radiance);
+}
+
 /// Quads, spheres and disks with a radiance of one colour are sampled in lanes.
 Light plain_light(const LightShaper& shaper, const Rgb& radiance) {
   return std::visit(Overloaded{[&](const Quad& q) -> Light {
@@ -194,7 +201,10 @@ Light compile_surface_light(const Surface& surface, const ShapeDescription& shap
   const auto compile = Overloaded{[&](TextureIndex index) -> Light {
                                     return AreaLight(std::visit(shaper, surface.geometry), texture(index, where));
                                   },
-                                  [&](const RgbD& radiance) { return plain_light(shaper, Rgb(radiance)); }};
+                                  [&](const RgbD& radiance) {
+                                    return shape.emits_by_vertex_normals ? smooth_mesh_light(surface, Rgb(radiance))
+                                                                         : plain_light(shaper, Rgb(radiance));
+                                  }};
   return with_usable_flux(std::visit(compile, *shape.radiance), where);
 }
 

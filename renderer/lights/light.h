@@ -11,12 +11,14 @@
 #include "renderer/lights/light_ies.h"
 #include "renderer/lights/light_kinds.h"
 #include "renderer/lights/light_projector.h"
+#include "renderer/lights/light_smooth_mesh.h"
 #include "renderer/lights/light_textured_spot.h"
 
 namespace photonproof::inline renderer_lights {
 
 /// A light's index is its kind in the kernels' tables.
-using Light = LightKinds::VariantWith<AreaLight, EnvironmentLight, IesLight, TexturedSpotLight, ProjectorLight>;
+using Light =
+    LightKinds::VariantWith<AreaLight, EnvironmentLight, IesLight, TexturedSpotLight, ProjectorLight, SmoothMeshLight>;
 
 /// Value of LightWords::kind for this light.
 inline std::uint32_t kernel_kind(const Light& light) {

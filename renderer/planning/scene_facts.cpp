@@ -83,7 +83,7 @@ SceneFacts analyse(const SceneParts& scene) {
   facts.bsdf_kinds = static_cast<std::size_t>(std::popcount(scene.bsdf_kinds));
   facts.media = scene.media.media.size();
   facts.lights = scene.lights.size();
-  facts.many_lights = SceneLights::wants_tree(scene.lights);
+  facts.many_lights = scene.light_probabilities.empty() && SceneLights::wants_tree(scene.lights);
   facts.lights_can_be_hit = scene.lights_can_be_hit;
   for (const Light& light : scene.lights) {
     facts.any_delta_light = facts.any_delta_light || is_delta(light);

@@ -34,7 +34,8 @@ std::vector<SurfaceWords> words_of_surfaces(const SceneParts& parts) {
 
 /// `small`: null where there is none.
 std::vector<LightWords> words_of_lights(const SceneParts& parts, const BruteForceTables* small) {
-  std::vector<LightWords> words = light_table(parts.lights);
+  const std::vector<double>& given = parts.light_probabilities;
+  std::vector<LightWords> words = given.empty() ? light_table(parts.lights) : light_table(parts.lights, given);
   const std::vector<std::uint32_t> faces = light_faces(parts.surfaces);
   for (std::uint32_t i = 0; i < parts.surfaces.size(); ++i)
     if (const std::uint32_t light = parts.surfaces[i].light; light != no_index)
@@ -56,7 +57,7 @@ Scene::Scene(SceneParts parts, const SceneChoices& choices)
           projection_targets(surfaces, [&](const Surface& surface) { return bsdfs.is_specular(surface.bsdf); })),
       clear_ways_(choices.light_paths ? find_clear_ways(*this) : ClearWays{}),
       detail_{surfaces, uv_frames, *textures, bsdfs, plain, small_ ? small_->triangles() : nullptr},
-      scene_lights_(std::make_unique<SceneLights>(lights, light_words_, ball)),
+      scene_lights_(std::make_unique<SceneLights>(lights, light_words_, ball, light_probabilities.empty())),
       view_(view_of(choices)) {
   if (choices.light_paths) scene_lights_->guide_emission(EmissionGuiding(lights, looked_at(*this), ball, &clear_ways_));
   view_.guided_emission = scene_lights_->has_guide();

@@ -1,6 +1,7 @@
 #include "renderer/scene/scene_parts.h"
 
 #include <algorithm>
+#include <map>
 #include <optional>
 
 #include "renderer/lights/compile_light.h"
@@ -28,6 +29,27 @@ std::vector<Light> surface_lights(const SceneDescription& description, const Vec
   return lights;
 }
 
+/// Mitsuba's probabilities of its emitters, which are even, where a light's image depends on them; else empty. The
+/// surfaces of one shape share theirs by flux.
+std::vector<double> probabilities_as_mitsuba(const SceneDescription& description, const SceneShapes& shapes,
+                                             const std::vector<Light>& lights) {  // of surfaces
+  const auto depends = [](const ShapeDescription& shape) { return shape.emits_by_vertex_normals; };
+  if (std::ranges::none_of(description.shapes, depends)) return {};
+  std::map<const ShapeDescription*, double> flux_of;
+  const auto mean_flux = [&](std::size_t light) {
+    const Rgb f = flux(lights[light]);
+    return std::max((double{f.x} + f.y + f.z) / 3, 1e-30);
+  };
+  for (std::size_t i = 0; i < shapes.surfaces.size(); ++i)
+    if (shapes.surfaces[i].light != no_index) flux_of[shapes.shape_of[i]] += mean_flux(shapes.surfaces[i].light);
+  const double even = 1 / static_cast<double>(flux_of.size() + description.emitters.size());
+  std::vector<double> probabilities(lights.size() + description.emitters.size(), even);
+  for (std::size_t i = 0; i < shapes.surfaces.size(); ++i)
+    if (const std::uint32_t light = shapes.surfaces[i].light; light != no_index)
+      probabilities[light] = even * mean_flux(light) / flux_of.at(shapes.shape_of[i]);
+  return probabilities;
+}
+
 /// Whether hits need no details (surface_detail.h).
 bool is_plain(const BsdfTable& bsdfs, const Surface& surface) {
   const BsdfNode& node = bsdfs.tree[surface.bsdf];
@@ -52,6 +74,7 @@ SceneParts::SceneParts(const SceneDescription& in_its_unit, int width_, int heig
   bsdfs = compile_bsdfs(description);
   SceneShapes shapes(description, *textures, frame.moved, frame.long_edge);
   lights = surface_lights(description, frame.moved, TextureLookup(textures), shapes);
+  light_probabilities = probabilities_as_mitsuba(description, shapes, lights);
   surfaces = std::move(shapes.surfaces);
   cubes = std::move(shapes.cubes);
   uv_frames = std::move(shapes.uv_frames);

@@ -37,7 +37,8 @@ struct SceneParts {
   std::size_t primitives = 0;  ///< Number over all shapes. Those of a shape group count once, and each instance as one.
   bool simple_primitives = true;  ///< Parallelograms, triangles and spheres only, as the packed kernel requires.
   SceneBall ball;
-  std::vector<Light> lights;       ///< Lights of the shapes' surfaces, then the emitters.
+  std::vector<Light> lights;                ///< Lights of the shapes' surfaces, then the emitters.
+  std::vector<double> light_probabilities;  ///< The choice of each light; empty: by flux or place.
   std::vector<char> plain;         ///< Per surface: hits need no more than its BSDF record and geometric normal.
   std::uint32_t bsdf_kinds = 0;    ///< Bit k: a surface has a BSDF of kind k.
   bool lights_can_be_hit = false;  ///< A ray may meet one.

@@ -6,6 +6,7 @@
 #include <cstring>
 
 #include "renderer/lanes/sampler.h"
+#include "renderer/scene/mixed_mirrors.h"
 
 namespace photonproof::inline renderer_scene {
 namespace {
@@ -50,7 +51,10 @@ class Descent {
           if (!draw(number(node.number))) return tables_.bsdfs.nothing;
           break;
         case BsdfNode::Kind::blend:
-          if (draw(number(node.number))) bsdf = node.second;
+          if (node.mixes_mirrors)
+            bsdf = mixing(node);
+          else if (draw(number(node.number)))
+            bsdf = node.second;
           break;
         case BsdfNode::Kind::bump:
           map(bumped(node.number), node);
@@ -78,8 +82,22 @@ class Descent {
   float shadow[2] = {0, 0};
   std::uint32_t state = 0;
   float chance = 1;
+  std::uint32_t mixed = no_index;  ///< the leaf that a mirror in a blend is mixed with (mixed_mirrors.h)
+  float mixed_share = 0;           ///< the mirror's
 
  private:
+  /// The drawn side of a blend. The other's leaf becomes `mixed`, if only twosided BSDFs wrap it.
+  std::uint32_t mixing(const BsdfNode& node) {
+    const float second = number(node.number);
+    const bool drawn = draw(second);
+    std::uint32_t other = drawn ? node.first : node.second;
+    while (tables_.bsdfs.tree[other].kind == BsdfNode::Kind::two_sided)
+      other = dot(normal, back_) < 0 ? tables_.bsdfs.tree[other].second : tables_.bsdfs.tree[other].first;
+    mixed = tables_.bsdfs.is_leaf(other) ? other : no_index;
+    mixed_share = drawn ? second : 1 - second;
+    return drawn ? node.second : node.first;
+  }
+
   void turn() {
     normal = -normal;
     for (int i = 0; i < maps; ++i) below[i] = -below[i];
@@ -165,6 +183,31 @@ void copy_record(const SceneView& scene, std::uint32_t bsdf, float* record) {
   std::memcpy(record, scene.bsdfs + std::size_t{bsdf} * BsdfKinds::stride, BsdfKinds::stride * sizeof(float));
 }
 
+/// The leaf's record with the textures' values.
+void fill_record(const SceneView& scene, std::uint32_t leaf, const LocalGeometry& at, const MeshPoint* on_mesh,
+                 float* record) {
+  copy_record(scene, leaf, record);
+  const Textures& textures = scene.detail->textures;
+  for (const TextureSlot& slot : scene.detail->bsdfs.tree[leaf].slots) {
+    if (slot.is_colour) {
+      const Rgb colour = textures.colour(slot.texture, at.uv, on_mesh);
+      std::memcpy(&record[slot.word], &colour, sizeof colour);
+    } else {
+      record[slot.word] = textures.number(slot.texture, at.uv, on_mesh);
+    }
+  }
+}
+
+/// Weights a mirror of a blend against the other leaf.
+void mix(const SceneView& scene, const Descent& descent, const LocalGeometry& at, const MeshPoint* on_mesh,
+         const Vec3f& direction, SurfaceDetail& detail) {
+  float other[BsdfKinds::stride];
+  fill_record(scene, descent.mixed, at, on_mesh, other);
+  const Frame<float> frame(detail.normal, perpendicular(at.dp_du, detail.normal));
+  mix_mirror(detail.kind, detail.record, descent.mixed_share, scene.detail->bsdfs.kind(descent.mixed), other,
+             frame.to_local(-direction));
+}
+
 }  // namespace
 
 Scattering<float> scattering_at(const SceneView& scene, const SurfaceDetail& detail, const Vec3f& normal) {
@@ -226,17 +269,10 @@ void detail_at(const SceneView& scene, std::uint32_t surface, std::uint32_t prim
   detail.state = descent.state;
   detail.chance = descent.chance;
   detail.surface |= (descent.state & ((1u << MappedNormals<float>::tag_bits) - 1)) << PhotonSurface::number_bits;
-  copy_record(scene, detail.bsdf, detail.record);
-  const BsdfNode& leaf = tables.bsdfs.tree[detail.bsdf];
-  detail.tangent = leaf.has_directions ? perpendicular(at.dp_du, detail.normal) : Vec3f(0.0f);
-  for (const TextureSlot& slot : leaf.slots) {
-    if (slot.is_colour) {
-      const Rgb colour = tables.textures.colour(slot.texture, at.uv, mesh_point);
-      std::memcpy(&detail.record[slot.word], &colour, sizeof colour);
-    } else {
-      detail.record[slot.word] = tables.textures.number(slot.texture, at.uv, mesh_point);
-    }
-  }
+  fill_record(scene, detail.bsdf, at, mesh_point, detail.record);
+  const bool has_directions = tables.bsdfs.tree[detail.bsdf].has_directions;
+  detail.tangent = has_directions ? perpendicular(at.dp_du, detail.normal) : Vec3f(0.0f);
+  if (descent.mixed != no_index) mix(scene, descent, at, mesh_point, direction, detail);
 }
 
 }  // namespace photonproof::inline renderer_scene
