@@ -7,6 +7,7 @@ every plugin one in which all are.
 import re
 from dataclasses import dataclass
 
+import mitsuba_departures
 from mitsuba_scene_parts import (BOX, FLOOR, LAMP, LAMP_PLACE, LOOK, PATH, SKY, VOLPATH, area, ball, boolean, bsdf, camera,
                                  element, emitter, film, grey, integer, number, picture, place, point, rgb, scene, shape,
                                  string, texture, value)
@@ -18,6 +19,8 @@ class Case:
     text: str
     twin: str = ""  # for Mitsuba, where it differs
     why: str = ""   # a difference that is known, and why ours is right
+    followed: bool = False      # --as-mitsuba gives Mitsuba's image
+    closed_form: float = 0      # of the mean, where it has one
 
 
 # ---- integrators ----------------------------------------------------------------------------------------------------
@@ -665,7 +668,21 @@ def spelling_cases():
         "roughconductor", number("alpha_u", 0.3), number("alpha_v", 0.1), string("material", "Cu"))))))
 
 
+# ---- departures -----------------------------------------------------------------------------------------------------------
+
+# Those above that --as-mitsuba follows.
+FOLLOWED = re.compile(r"(ply|obj) emitter(, flip_normals|, bsdf)?|to_world rotate about 2 x|direct bsdf_samples 0, a mirror|"
+                      r"plastic int_ior by name|blendbsdf of a dielectric")
+
+
+def departure_cases():
+    for name, text, closed_form, proof in mitsuba_departures.departures():
+        yield Case(name, text, why=proof, followed=True, closed_form=closed_form)
+
+
 def all_cases():
     cases = [case for group in (integrator_cases, sensor_cases, shape_cases, texture_cases, bsdf_cases, emitter_cases,
-                                medium_cases, cloud_cases, file_cases, spelling_cases) for case in group()]
+                                medium_cases, cloud_cases, file_cases, spelling_cases, departure_cases) for case in group()]
+    for case in cases:
+        case.followed = case.followed or FOLLOWED.fullmatch(case.name) is not None
     return list({case.name: case for case in cases}.values())

@@ -87,8 +87,9 @@ std::string view_words(const RenderPlan& plan, const char* before) {
 double samples_per_pixel(const RenderStats& stats) { return stats.counts.at("samples_per_pixel"); }
 
 std::string command_line(const RenderArguments& arguments, const Rendered& rendered) {
-  return arguments.scene.path + " --integrator " + rendered.plan.integrator + view_words(rendered.plan, " --view ") +
-         " --seed " + std::to_string(arguments.seed) + " --spp " +
+  return arguments.scene.path + (arguments.scene.as_mitsuba ? " --as-mitsuba" : "") + " --integrator " +
+         rendered.plan.integrator + view_words(rendered.plan, " --view ") + " --seed " +
+         std::to_string(arguments.seed) + " --spp " +
          std::to_string(static_cast<std::int64_t>(samples_per_pixel(rendered.stats)));
 }
 

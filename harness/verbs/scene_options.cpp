@@ -43,6 +43,10 @@ void add_scene_options(CLI::App& verb, SceneOptions& options) {
   verb.add_flag("--lenient", options.lenient, "leave out what cannot be read, with a warning for each");
 }
 
+void add_mitsuba_option(CLI::App& verb, SceneOptions& options) {
+  verb.add_flag("--as-mitsuba", options.as_mitsuba, "follow Mitsuba 3.9.1 where it is wrong, with a warning for each");
+}
+
 std::string is_seed(const std::string& text) {
   std::uint64_t seed = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), seed);
@@ -74,6 +78,7 @@ std::vector<std::string> scene_arguments(const SceneOptions& options) {
   for (const std::string& define : options.defines) words.insert(words.end(), {"-D", define});
   if (options.allow_outside) words.emplace_back("--allow-outside");
   if (options.lenient) words.emplace_back("--lenient");
+  if (options.as_mitsuba) words.emplace_back("--as-mitsuba");
   if (options.sensor != 0) words.insert(words.end(), {"--sensor", std::to_string(options.sensor)});
   return words;
 }
@@ -84,6 +89,7 @@ ParseOptions parse_options(const SceneOptions& options) {
   ParseOptions parse;
   parse.allow_outside = options.allow_outside;
   parse.lenient = options.lenient;
+  parse.as_mitsuba = options.as_mitsuba;
   parse.sensor = options.sensor;
   for (const std::string& define : options.defines) {
     const std::size_t equals = define.find('=');

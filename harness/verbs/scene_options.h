@@ -20,11 +20,15 @@ struct SceneOptions {
   std::string size;                  ///< "WxH", empty: the scene's
   bool allow_outside = false;
   bool lenient = false;
+  bool as_mitsuba = false;
   int sensor = 0;
 };
 
 /// SCENE, -D, --size, --sensor, --allow-outside, --lenient.
 void add_scene_options(CLI::App& verb, SceneOptions& options);
+
+/// --as-mitsuba, for verbs that render by this program's own integrators.
+void add_mitsuba_option(CLI::App& verb, SceneOptions& options);
 
 /// "WxH" to a film size; throws InputError on anything else.
 void apply_size(const std::string& size, FilmDescription& film);

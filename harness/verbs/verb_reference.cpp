@@ -137,6 +137,7 @@ Provenance provenance_of(const Job& job, const std::string& integrator, const Ba
   Provenance p;
   p.scene_hash = job.hash;
   p.definitions = job.arguments.scene.defines;
+  if (job.arguments.scene.as_mitsuba) p.definitions.emplace_back("--as-mitsuba");
   std::sort(p.definitions.begin(), p.definitions.end());
   p.estimator = integrator;
   p.bias = means.relative_bias();
@@ -313,6 +314,9 @@ int reference_of(const ReferenceArguments& arguments) {
   if (!arguments.reason.empty() && !arguments.commit) throw InputError("--reason", "is for --commit");
   if (!arguments.scene.defines.empty() && arguments.commit)
     throw InputError("--commit", "is for the scene as it is, without -D; the cache keeps this reference, or -o FILE");
+  if (arguments.scene.as_mitsuba && arguments.commit)
+    throw InputError("--commit",
+                     "is for the scene as it is, without --as-mitsuba; the cache keeps this reference, or -o FILE");
   const Job job = job_of(arguments);
   check_before_rendering(job);
   const FolderLock lock(job.folder, "it makes the same reference: wait for it, then this command uses what it made");
@@ -421,6 +425,7 @@ void add_reference_verb(CLI::App& program, int& exit_code) {
                                interrupted_and_kept},
                 .notes = "The standard error is sqrt(mean of variance / (mean^2 + 0.01)) over pixels and channels."});
   add_scene_options(*verb, arguments->scene);
+  add_mitsuba_option(*verb, arguments->scene);
   add_reference_options(*verb, *arguments);
   add_suite_options(*verb, arguments->suite);
   verb->callback([arguments, &exit_code] { exit_code = make_reference(*arguments); });

@@ -287,6 +287,9 @@ TEST_F(ReferenceVerb, definitions_are_refused_where_they_cannot_hold) {
   EXPECT_EQ(committed.exit_code, 2);
   EXPECT_EQ(committed.standard_error,
             "--commit: error: is for the scene as it is, without -D; the cache keeps this reference, or -o FILE\n");
+  EXPECT_EQ(reference({"--as-mitsuba", "--size", "8x8", "--commit"}).standard_error,
+            "--commit: error: is for the scene as it is, without --as-mitsuba; the cache keeps this reference, or -o "
+            "FILE\n");
   EXPECT_FALSE(has("reference-8x8.exr"));
   EXPECT_EQ(reference({"-D", "albedo"}).standard_error,
             "-D: error: 'albedo' is not a definition, expected name=value\n");

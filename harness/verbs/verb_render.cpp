@@ -117,6 +117,7 @@ void add_render_verb(CLI::App& program, int& exit_code) {
                                         internal_error,
                                         {130, "interrupted; the image so far is written, --resume continues"}}});
   add_scene_options(*verb, arguments->scene);
+  add_mitsuba_option(*verb, arguments->scene);
   add_output_options(*verb, *arguments);
   add_budget_options(*verb, *arguments);
   add_method_options(*verb, *arguments);
