@@ -195,6 +195,50 @@ def shape_cases():
     yield from plain_shape_cases()
     yield from mesh_cases(TURN)
     yield from instance_cases()
+    yield from curve_cases()
+    yield from sdf_cases()
+
+
+def curve_cases():
+    """Mitsuba knows no flip_normals here."""
+    brushed = bsdf("roughconductor", number("alpha_u", 0.05), number("alpha_v", 0.4))
+    for kind, name in (("bsplinecurve", "tuft.txt"), ("linearcurve", "tuft.txt"), ("linearcurve", "sticks.txt")):
+        file = string("filename", name)
+        title = f"{kind} of {name}"
+        yield Case(f"{title} uv", scene(shape(kind, file, PAINT)))
+        yield Case(f"{title} to_world", scene(shape(kind, file, TURN, PAINT)))
+        yield Case(f"{title} one side", scene(shape(kind, file, ONE_SIDE)))
+        yield Case(f"{title} brushed", scene(shape(kind, file, brushed)))
+        yield Case(f"{title} as glass", scene(shape(kind, file, bsdf("dielectric"))))
+    file = string("filename", "tuft.txt")
+    for kind in ("bsplinecurve", "linearcurve"):
+        yield Case(f"{kind} without bsdf", scene(shape(kind, file)))
+        yield Case(f"{kind} bumps", scene(shape(kind, file, bsdf("twosided", bsdf(
+            "bumpmap", picture("", file="bumps.exr"), number("scale", 0.3), grey(0.8))))))
+        yield Case(f"{kind} in a group", scene(
+            shape("shapegroup", shape(kind, file, place('<scale value="0.5"/>'), PAINT), id="group"),
+            shape("instance", '<ref id="group"/>', TURN)))
+        yield Case(f"{kind} seen by bdpt", scene(shape(kind, file, grey(0.7)), integrator=element("integrator", "bdpt")),
+                   scene(shape(kind, file, grey(0.7)), integrator=element("integrator", "path")))
+
+
+def sdf_cases():
+    where = place('<translate value="-0.5"/>', '<scale x="1.9" y="1.6" z="1.8"/>', '<translate y="0.3"/>')
+    for name in ("dented.vol", "slope.vol"):
+        file = string("filename", name)
+        yield Case(f"sdfgrid of {name}", scene(shape("sdfgrid", file, where, grey(0.7))))
+        yield Case(f"sdfgrid of {name} analytic", scene(shape("sdfgrid", file, string("normals", "analytic"), where, grey(0.7))))
+    file = string("filename", "dented.vol")
+    yield Case("sdfgrid without to_world", scene(shape("sdfgrid", file, grey(0.7))))
+    yield Case("sdfgrid one side", scene(shape("sdfgrid", file, where, ONE_SIDE)))
+    yield Case("sdfgrid without bsdf", scene(shape("sdfgrid", file, where)))
+    yield Case("sdfgrid as glass", scene(shape("sdfgrid", file, string("normals", "analytic"), where, bsdf("dielectric"))))
+    yield Case("sdfgrid as smooth mirror", scene(shape("sdfgrid", file, where, MIRROR)))
+    yield Case("sdfgrid in a group", scene(
+        shape("shapegroup", shape("sdfgrid", file, place('<translate value="-0.5"/>', '<scale value="1.5"/>'), grey(0.7)),
+              id="group"), shape("instance", '<ref id="group"/>', TURN)))
+    yield Case("sdfgrid seen by bdpt", scene(shape("sdfgrid", file, where, grey(0.7)), integrator=element("integrator", "bdpt")),
+               scene(shape("sdfgrid", file, where, grey(0.7)), integrator=element("integrator", "path")))
 
 
 def plain_shape_cases():

@@ -183,6 +183,36 @@ def write_vol(path, values):
                      struct.pack(f"<{len(flat)}f", *flat))
 
 
+def write_curves(path, curves):
+    """Lists of (x, y, z, radius)."""
+    path.write_text("\n\n".join("\n".join(" ".join(f"{v:.6g}" for v in point) for point in curve) for curve in curves) + "\n")
+
+
+def tuft(draw, points, count=60):
+    """Curves that rise from a disc and lean, some as thick as a finger and some thin, some pointed."""
+    curves = []
+    for i in range(count):
+        a, r = 2 * math.pi * draw.random(), 0.7 * math.sqrt(draw.random())
+        lean, turn = 0.5 * draw.random(), 2 * math.pi * draw.random()
+        thick = (0.12, 0.04, 0.015)[i % 3]
+        curve = []
+        for k in range(points):
+            t = k / (points - 1)
+            curve.append((r * math.cos(a) + lean * t * t * math.cos(turn + 2 * t), 1.5 * t - 0.5,
+                          r * math.sin(a) + lean * t * t * math.sin(turn + 2 * t), thick * (1 - t if i % 2 else 1)))
+        curves.append(curve)
+    return curves
+
+
+def dented_ball(size):
+    """Distances that are not exact ones, over the unit cube."""
+    def value(x, y, z):
+        p = [x - 0.5, y - 0.5, z - 0.5]
+        return math.sqrt(sum(v * v for v in p)) - 0.35 + 0.05 * math.sin(9 * x) * math.cos(8 * y + 4 * z)
+    along = [[i / (n - 1) for i in range(n)] for n in size]
+    return [[[[value(x, y, z)] for x in along[0]] for y in along[1]] for z in along[2]]
+
+
 def coarse_egg(columns=10, rows=6):
     """A closed body of few triangles with a seam in u, so that facets and uv show."""
     points, normals, uv, faces = [], [], [], []
@@ -215,6 +245,11 @@ def write_files(folder):
     for name, channels in (("smoke", 1), ("coloured", 3)):
         write_vol(folder / f"{name}.vol", [[[[draw.random() for _ in range(channels)] for _ in range(4)] for _ in range(3)]
                                            for _ in range(5)])
+    write_vol(folder / "dented.vol", dented_ball((12, 9, 14)))
+    write_vol(folder / "slope.vol", [[[[0.3 + 0.4 * x - y + 0.1 * z] for x in (0, 1)] for y in (0, 0.25, 0.5, 0.75, 1)]
+                                     for z in (0, 0.5, 1)])
+    write_curves(folder / "tuft.txt", tuft(random.Random(11), 7))
+    write_curves(folder / "sticks.txt", tuft(random.Random(12), 4, 30))
     (folder / "spectrum.spd").write_text("# wavelength, value\n400 0.2\n480 0.3\n560 0.9\n640 0.6\n720 0.4\n")
     points, faces, normals, uv = coarse_egg()
     write_ply(folder / "mesh.ply", points, faces, normals, uv)

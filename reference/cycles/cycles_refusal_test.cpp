@@ -50,6 +50,12 @@ TEST(cycles_refuses, diffuse_transmitters) {
   EXPECT_EQ(refusal(ball("<bsdf type='difftrans'/>")), "2:22:" + kNot + "a diffuse transmitter: not written yet");
 }
 
+TEST(cycles_refuses, curves_and_signed_distances) {
+  EXPECT_EQ(refusal("<shape type='linearcurve'><string name='filename' value='../curve_set_corpus/linear'/></shape>" +
+                    kLight),
+            "2:1:" + kNot + "curves: Cycles draws its own kinds of them, and sees their inside");
+}
+
 TEST(cycles_refuses, coats_and_maps) {
   EXPECT_EQ(refusal(ball("<bsdf type='roughplastic'/>")), "2:22:" + kNot + "a rough plastic: " + kCoat);
   EXPECT_EQ(refusal(ball("<bsdf type='layered'><bsdf type='diffuse'/></bsdf>")),

@@ -260,6 +260,12 @@ class Shapes {
     mesh->triangles = {{0, 1, 2}, {0, 2, 3}};
     return {mesh_py(mesh, placed.shape->flip_normals, false, false), placed.to_world};
   }
+  Form form_of(const Placed& placed, const CurvesDescription&) const {
+    script_.refuse(placed.shape->loc, "curves: Cycles draws its own kinds of them, and sees their inside");
+  }
+  Form form_of(const Placed& placed, const SdfGridDescription&) const {
+    script_.refuse(placed.shape->loc, "a grid of signed distances: Cycles has none");
+  }
   Form form_of(const Placed&, const InstanceDescription&) { throw std::logic_error("instances are flattened"); }
 
   std::string mesh_py(const std::shared_ptr<const TriangleMesh>& mesh, bool turned, bool flip_v, bool smooth) {

@@ -283,6 +283,16 @@ class Lowering {
     add(surface, PovRound{PovRound::Kind::cylinder, surface.shape->to_world * frame, surface.shape->flip_normals});
   }
 
+  void place(const PovSurface& surface, const CurvesDescription&) {
+    throw Unrepresentable(scene_.description->where(surface.shape->loc),
+                          "curves: POV-Ray's sphere_sweep has round ends, is solid and has no texture coordinates");
+  }
+
+  void place(const PovSurface& surface, const SdfGridDescription&) {
+    throw Unrepresentable(scene_.description->where(surface.shape->loc),
+                          "a grid of signed distances: POV-Ray finds zeros of functions in steps");
+  }
+
   template <class Other>
   void place(const PovSurface&, const Other&) {
     throw std::logic_error("planes and instances are not placed as they are");

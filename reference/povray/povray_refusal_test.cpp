@@ -45,6 +45,12 @@ TEST(povray_refuses, diffuse_transmitters) {
   EXPECT_EQ(refusal(ball("<bsdf type='difftrans'/>")), "2:22:" + kNot + "a diffuse transmitter: POV-Ray has none");
 }
 
+TEST(povray_refuses, curves_and_signed_distances) {
+  EXPECT_EQ(refusal("<shape type='bsplinecurve'><string name='filename' value='../curve_set_corpus/bspline'/></shape>" +
+                    kLight),
+            "2:1:" + kNot + "curves: POV-Ray's sphere_sweep has round ends, is solid and has no texture coordinates");
+}
+
 TEST(povray_refuses, coats_and_maps) {
   EXPECT_EQ(refusal(ball("<bsdf type='plastic'/>")), "no refusal");
   EXPECT_EQ(refusal(ball("<bsdf type='plastic'><texture name='diffuse_reflectance' type='checkerboard'/></bsdf>")),

@@ -66,6 +66,8 @@ struct LightShaper {
   }
   LightShape operator()(const Plane&) const { refuse(); }
   LightShape operator()(const MeshInstance&) const { refuse(); }
+  LightShape operator()(const Curves&) const { refuse(); }
+  LightShape operator()(const SdfGrid&) const { refuse(); }
   LightShape operator()(const auto& other) const { return light_shape(other, shape, to_world); }
 
  private:

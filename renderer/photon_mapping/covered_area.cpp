@@ -51,7 +51,8 @@ std::optional<Solid> solid_of(const Geometry& geometry) {
       Overloaded{[](const Sphere& ball) -> MaybeSolid { return Solid::of_ball(ball); },
                  [](const Quad&) { return MaybeSolid(); }, [](const renderer_shapes::Plane&) { return MaybeSolid(); },
                  [](const Disk&) { return MaybeSolid(); }, [](const Cylinder&) { return MaybeSolid(); },
-                 [](const Mesh&) { return MaybeSolid(); }, [](const MeshInstance&) { return MaybeSolid(); }},
+                 [](const Mesh&) { return MaybeSolid(); }, [](const MeshInstance&) { return MaybeSolid(); },
+                 [](const Curves&) { return MaybeSolid(); }, [](const SdfGrid&) { return MaybeSolid(); }},
       geometry);
 }
 
@@ -77,7 +78,8 @@ std::optional<Footprint> footprint(const Solid& solid, const Geometry& geometry)
                  [&](const renderer_shapes::Plane& plane) { return Footprint::of(solid, plane); },
                  [](const Disk&) { return MaybeFootprint(); }, [](const Sphere&) { return MaybeFootprint(); },
                  [](const Cylinder&) { return MaybeFootprint(); }, [](const Mesh&) { return MaybeFootprint(); },
-                 [](const MeshInstance&) { return MaybeFootprint(); }},
+                 [](const MeshInstance&) { return MaybeFootprint(); }, [](const Curves&) { return MaybeFootprint(); },
+                 [](const SdfGrid&) { return MaybeFootprint(); }},
       geometry);
 }
 

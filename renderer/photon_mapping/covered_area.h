@@ -8,7 +8,7 @@
 #include "renderer/photons/surface_side.h"
 #include "renderer/scene/scene_parts.h"
 #include "renderer/scene/surface_detail.h"
-#include "renderer/shapes/footprint.h"
+#include "renderer/areas/footprint.h"
 
 namespace photonproof::inline renderer_photon_mapping {
 

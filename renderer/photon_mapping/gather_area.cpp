@@ -54,8 +54,11 @@ GatherAreas::GatherAreas(const Scene& scene, const Threads& threads)
       may_miss_[i].rough = may_miss_[i].rough || !can_be_rough(leaf);
       any_stored = any_stored || is_lambertian(leaf) || can_be_rough(leaf);
     });
+    if (!any_stored) continue;
+    if (const auto* curves = std::get_if<Curves>(&scene.surfaces[i].geometry))
+      curves_.emplace(static_cast<std::uint32_t>(i), *curves);
     const Mesh* mesh = mesh_of(scene.surfaces[i].geometry);
-    if (mesh == nullptr || !any_stored) continue;
+    if (mesh == nullptr) continue;
     std::unique_ptr<const MeshArea>& made = meshes_[mesh];
     if (!made) made = std::make_unique<MeshArea>(*mesh, threads);
     mesh_of_[i] = made.get();
@@ -83,8 +86,9 @@ void GatherAreas::fill(GatherQueue& points) const {
 GatherAreas::TexturePoint GatherAreas::texture_point(const GatherPoint& point) const {
   const Vec3f front = unit_side_normal(point.surface_side);
   std::uint32_t primitive = 0;
-  if (mesh_of(scene_.surfaces[surface_number(point.surface)].geometry) !=
-      nullptr) {  // a ray from just above finds the triangle
+  const Geometry& geometry = scene_.surfaces[surface_number(point.surface)].geometry;
+  if (mesh_of(geometry) != nullptr || std::holds_alternative<Curves>(geometry)) {
+    // A ray from just above finds the triangle or the segment.
     const Vec3f up = facing_side_normal(point.surface_side);
     const Vec3f above = offset_from(point.p, up, up, scene_.view().coordinate_floor);
     primitive = closest_hit<float>(scene_.view(), above, -up, no_index, true, false).primitive;
@@ -122,6 +126,11 @@ float GatherAreas::area(const GatherPoint& point, float radius) const {
                  [&](const MeshInstance& copy) {
                    return static_cast<float>(
                        mesh->within(*copy.placement, point.p, unit_side_normal(point.surface_side), radius));
+                 },
+                 [&](const Curves& curves) {
+                   const Vec3f front = unit_side_normal(point.surface_side);
+                   const CurveArea& tubes = curves_.at(surface_number(point.surface));
+                   return static_cast<float>(tubes.within(point.p, curves.inward ? -front : front, radius));
                  },
                  [&](const auto& shape) { return covered_.left_of(disc_area(shape, point.p, radius), point, radius); }},
       geometry);

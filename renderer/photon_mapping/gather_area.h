@@ -6,10 +6,11 @@
 #include <optional>
 #include <vector>
 
+#include "renderer/areas/curve_area.h"
+#include "renderer/areas/mesh_area.h"
 #include "renderer/kernels/tasks.h"
 #include "renderer/photon_mapping/covered_area.h"
 #include "renderer/scene/scene.h"
-#include "renderer/shapes/mesh_area.h"
 
 namespace photonproof::inline renderer_photon_mapping {
 
@@ -41,6 +42,7 @@ class GatherAreas {
 
   const Scene& scene_;
   std::map<const Mesh*, std::unique_ptr<const MeshArea>> meshes_;
+  std::map<std::uint32_t, CurveArea> curves_;  ///< by surface
   struct MayMiss {
     bool lambertian = false, rough = false;
   };

@@ -1,11 +1,5 @@
 #include "renderer/rays/trace.h"
 
-#ifdef PHOTONPROOF_EMBREE4
-#include <embree4/rtcore.h>
-#else
-#include <embree3/rtcore.h>
-#endif
-
 #include <algorithm>
 #include <atomic>
 #include <bit>
@@ -15,6 +9,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "renderer/rays/embree.h"
+#include "renderer/rays/embree_curves.h"
 #include "renderer/rays/trace_tables.h"
 #include "renderer/shapes/face_normal.h"
 #include "scenes/base/thread_handoff.h"
@@ -23,8 +19,10 @@ namespace photonproof::inline renderer_rays {
 namespace {
 
 constexpr unsigned quad_geometry = 0;
-constexpr unsigned first_solved = 1;                                                              // a geometry a table
-constexpr unsigned first_mesh = first_solved + std::tuple_size_v<decltype(TraceTables::solved)>;  // then the instances
+constexpr unsigned first_solved = 1;  // a geometry a table
+constexpr unsigned first_curves =
+    first_solved + std::tuple_size_v<decltype(TraceTables::solved)>;                              // a geometry a basis
+constexpr unsigned first_mesh = first_curves + std::tuple_size_v<decltype(TraceTables::curves)>;  // then the instances
 
 /// Calls visit(table, number of its geometry) for every table of solved shapes.
 template <class Solved, class Visit>
@@ -357,6 +355,11 @@ SurfacePoint Tracer::Impl::locate(unsigned instance, unsigned geometry, unsigned
   }
   if (geometry >= first_mesh)
     return on_triangle(*tables.meshes.shapes[geometry - first_mesh], tables.meshes.surface[geometry - first_mesh]);
+  if (geometry >= first_curves) {
+    const CurveTable::Owner& owner = tables.curves[geometry - first_curves].owner_of(primitive);
+    const ShapePoint point = point_on(*owner.curves, primitive - owner.first, double{u}, near);
+    return {point.p, point.normal, owner.surface, primitive - owner.first};
+  }
   SurfacePoint found;
   for_each_solved(tables.solved, [&](const auto& table, unsigned id) {
     if (id != geometry) return;
@@ -376,6 +379,9 @@ Tracer::Tracer(const std::vector<Surface>& surfaces) : impl_(std::make_unique<Im
   impl_->scene = impl_->new_scene();
   impl_->attach_quads();
   for_each_solved(tables.solved, [&](auto& table, unsigned id) { impl_->attach_shapes(table, id); });
+  for (unsigned i = 0; i < tables.curves.size(); ++i)
+    if (const CurveTable& table = tables.curves[i]; !table.segments.empty())
+      Impl::attach(impl_->scene, curve_geometry(impl_->device, table), first_curves + i);
   for (std::size_t i = 0; i < tables.meshes.shapes.size(); ++i)
     impl_->attach_mesh(impl_->scene, *tables.meshes.shapes[i], tables.long_faces_of_mesh[i],
                        static_cast<unsigned>(first_mesh + i));

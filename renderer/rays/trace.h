@@ -1,4 +1,4 @@
-// Ray queries through Embree. Only trace.cpp includes Embree (3.13 and 4.x both build).
+// Ray queries through Embree. Only this room includes Embree (3.13 and 4.x both build).
 #pragma once
 
 #include <cstdint>
@@ -25,11 +25,11 @@ struct alignas(64) HitBlock {
   float p_x[RayBlock::width], p_y[RayBlock::width], p_z[RayBlock::width];
   float normal_x[RayBlock::width], normal_y[RayBlock::width], normal_z[RayBlock::width];
   std::uint32_t surface[RayBlock::width];
-  std::uint32_t primitive[RayBlock::width];  ///< the triangle of a mesh, else 0
+  std::uint32_t primitive[RayBlock::width];  ///< the triangle of a mesh, the segment of curves, else 0
 };
 
-/// Immutable once built; safe for any number of threads. Quads and triangles are Embree's (ROBUST); other shapes and
-/// long faces are user geometry, solved in double precision. Planes are tested separately.
+/// Immutable once built; safe for any number of threads. Quads, triangles and curves are Embree's (ROBUST); other
+/// shapes and long faces are user geometry, solved in double precision. Planes are tested separately.
 class Tracer {
  public:
   /// Throws std::runtime_error with Embree's message when it cannot build. `surfaces` must outlive the tracer.

@@ -1,10 +1,22 @@
 #include "renderer/rays/trace_tables.h"
 
 #include <algorithm>
+#include <iterator>
 
 #include "scenes/description/overloaded.h"
 
 namespace photonproof::inline renderer_rays {
+
+void CurveTable::add(const Curves& curves, std::uint32_t surface) {
+  owners.push_back({&curves, surface, static_cast<std::uint32_t>(segments.size())});
+  const auto before = static_cast<std::uint32_t>(points.size());
+  points.insert(points.end(), curves.points.begin(), curves.points.end());
+  for (const std::uint32_t first : curves.segments) segments.push_back(before + first);
+}
+
+const CurveTable::Owner& CurveTable::owner_of(std::uint32_t segment) const {
+  return *std::prev(std::ranges::upper_bound(owners, segment, {}, &Owner::first));
+}
 
 TraceTables::TraceTables(const std::vector<Surface>& surfaces) {
   const std::vector<std::uint32_t> first_face = light_faces(surfaces);
@@ -20,6 +32,7 @@ TraceTables::TraceTables(const std::vector<Surface>& surfaces) {
                             if (faces == nullptr) quads.add(quad, i);
                           },
                           [&](const Plane& plane) { planes.add(plane, i); },
+                          [&](const Curves& tubes) { curves[tubes.linear ? 1 : 0].add(tubes, i); },
                           [&](const Mesh& mesh) {
                             meshes.add(mesh, i);
                             long_faces_of_mesh.push_back(faces);

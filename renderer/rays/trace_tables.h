@@ -1,6 +1,7 @@
 // Surfaces sorted by the form that Embree needs.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <tuple>
 #include <vector>
@@ -35,10 +36,25 @@ struct PlacedGroup {
   std::vector<std::uint32_t> surface;  ///< of each part
 };
 
+/// All curves of one basis, as Embree needs them.
+struct CurveTable {
+  struct Owner {
+    const Curves* curves;
+    std::uint32_t surface, first;  ///< index of its surface, and the number of its first segment here
+  };
+  std::vector<CurvePoint> points;
+  std::vector<std::uint32_t> segments;  ///< the first control point of each
+  std::vector<Owner> owners;            ///< by their first segments
+
+  void add(const Curves& curves, std::uint32_t surface);
+  const Owner& owner_of(std::uint32_t segment) const;
+};
+
 struct TraceTables {
   ShapeTable<Quad> quads;
   SolvedShapes<ShapeTables, LongFace> solved;  ///< shapes that Embree does not have
   ShapeTable<Plane> planes;                    ///< tested one after the other: boxes around them would be of no use
+  std::array<CurveTable, 2> curves;            ///< B-splines, then linear ones
   ShapeTable<Mesh> meshes;                     ///< each its own geometry
   std::vector<const std::vector<LongFace>*> long_faces_of_mesh;  ///< null where there are none
   std::vector<MeshGroup> groups;

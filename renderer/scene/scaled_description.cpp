@@ -32,7 +32,10 @@ struct CameraScaler {
 
 SceneDescription scaled(SceneDescription description, double factor) {
   const Transform scale = Transform::scale(Vec3d(factor));
-  for (ShapeDescription& shape : description.shapes) shape.to_world = scale * shape.to_world;
+  for (ShapeDescription& shape : description.shapes) {
+    shape.to_world = scale * shape.to_world;
+    if (auto* curves = std::get_if<CurvesDescription>(&shape.geometry)) curves->radius_scale *= factor;
+  }
   for (EmitterDescription& emitter : description.emitters)
     std::visit([&](auto& light) { light.scale_lengths(factor); }, emitter.light);
   for (MediumDescription& medium : description.media)

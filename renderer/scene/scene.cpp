@@ -115,8 +115,14 @@ std::size_t Scene::memory_bytes() const {
     if (!counted.insert(&source).second) return;
     total += bytes(source.positions) + bytes(source.triangles) + bytes(source.normals) + bytes(source.uvs);
   };
-  for (const Surface& surface : surfaces)
+  for (const Surface& surface : surfaces) {
     if (const Mesh* mesh = mesh_of(surface.geometry)) add_mesh(*mesh);
+    if (const auto* curves = std::get_if<Curves>(&surface.geometry))
+      total += bytes(curves->points) + bytes(curves->segments);
+    if (const auto* sdf = std::get_if<SdfGrid>(&surface.geometry);
+        sdf != nullptr && counted.insert(sdf->grid.get()).second)
+      total += bytes(sdf->grid->values);
+  }
   return total;
 }
 

@@ -104,6 +104,18 @@ void SceneShapes::add(const HeightfieldDescription&, const ShapeDescription& sha
   add_mesh(shape, to_world);
 }
 
+// The shape's own to_world leaves radii as they are; that of an instance scales them.
+void SceneShapes::add(const CurvesDescription& curves, const ShapeDescription& shape, const Transform& to_world) {
+  const std::optional<Transform> to_local = shape.to_world.inverse();
+  if (!to_local) throw InputError(description_.where(shape.loc), "the curves' to_world has no inverse");
+  const Transform of_instance = to_world * *to_local;
+  ShapePlace{description_, shape, of_instance}.require_similarity();
+  Curves made =
+      compiled_curves(curves, to_world, curves.radius_scale * of_instance.similarity_scale(), shape.flip_normals);
+  primitives += made.segments.size();
+  add_surface(std::move(made), shape);
+}
+
 void SceneShapes::add_mesh(const ShapeDescription& shape, const Transform& to_world) {
   Mesh mesh = compile_mesh(shape, to_world);
   primitives += mesh.triangle_count();

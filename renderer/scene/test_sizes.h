@@ -63,6 +63,20 @@ inline void add_shapes_to_see(const Room& room, SceneDescription& d) {
   add_shape(d, MeshDescription{ply, "pyramid.ply", true, false, pyramid(0.6 * u)},
             Transform::translate(Vec3d{0, 0, 0.01} * u), grey);
   add_shape(d, HeightfieldDescription{8, 8, 0.2, true, HeightfieldNoise{2, 2, 2, 7}}, at(1.5, 0, 0.25, 0.6), grey);
+  const auto place = [&](const Vec3d& p, double radius) {
+    return CurvePoint{Vec3f(p * u), static_cast<float>(radius * u)};
+  };
+  CurvesDescription tubes{CurvesDescription::Basis::linear, "tubes.txt", {}};
+  tubes.curves = std::make_shared<const CurveSet>(CurveSet{
+      {place({0, -1, 0.2}, 0.1), place({0.6, -1.4, 0.5}, 0.1), place({1, -1, 0.8}, 0.05), place({1.4, -1, 1}, 0)},
+      {0}});
+  add_shape(d, tubes, {}, grey);
+  tubes.basis = CurvesDescription::Basis::bspline;
+  add_shape(d, tubes, Transform::translate(Vec3d{0.3, 0.3, 0} * u), grey);
+  auto distances = std::make_shared<VolumeGrid>();
+  distances->width = distances->height = distances->depth = 2;
+  distances->values = {-1, 1, -1, 0.5f, -0.5f, 1, 0.5f, 1};
+  add_shape(d, SdfGridDescription{"slope.vol", distances, {}}, at(0.4, -2, 0.05, 0.5), grey);
   ShapeGroupDescription group;
   ShapeDescription member;
   member.geometry = MeshDescription{ply, "pyramid.ply", true, false, pyramid(1)};

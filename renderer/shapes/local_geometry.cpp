@@ -66,6 +66,7 @@ LocalGeometry local_geometry(const Surface& surface, const AffineMap* frame, std
                              const Vec3f& normal) {
   return std::visit(Overloaded{[&](const Mesh& mesh) { return on_mesh(mesh, triangle, p, normal); },
                                [&](const MeshInstance& copy) { return on_instance(copy, triangle, p); },
+                               [&](const Curves& curves) { return local_geometry(curves, triangle, p, normal); },
                                [&](const auto& shape) { return local_geometry(shape, *frame, p, normal); }},
                     surface.geometry);
 }
@@ -79,6 +80,7 @@ Vec2<float> barycentric(const Surface& surface, std::uint32_t triangle, const Ve
 }
 
 bool has_shading_normals(const Surface& surface) {
+  if (const auto* sdf = std::get_if<SdfGrid>(&surface.geometry)) return sdf->smooth;
   const Mesh* mesh = mesh_of(surface.geometry);
   return mesh != nullptr && !mesh->normals.empty();
 }

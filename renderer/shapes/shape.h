@@ -15,7 +15,8 @@
 //   `placed(description, place)`  The description's shape in the compiled scene.
 //   `extent_of(description, to_world)`, `nearest_on(description, to_world, to)`   The box around it and its
 //                                 point nearest to another, before there is a compiled scene.
-// A missing function is a compile error. Parallelograms and meshes, which Embree intersects, do not need the first two.
+// A missing function is a compile error. Parallelograms, meshes and curves, which Embree intersects, do not need the
+// first two.
 // Distances are computed in double precision: in single the discriminant of a distant or grazing ray loses all its
 // digits.
 #pragma once

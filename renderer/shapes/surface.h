@@ -1,5 +1,5 @@
 // The surfaces that rays meet: parallelograms (rectangles, faces of cubes), spheres, discs, cylinders and planes as
-// themselves, and meshes, which may also be copies placed by a transform.
+// themselves, meshes, which may also be copies placed by a transform, curves, and zeros of signed distances.
 #pragma once
 
 #include <cstdint>
@@ -8,11 +8,13 @@
 #include <vector>
 
 #include "renderer/core/ray.h"
+#include "renderer/shapes/curves.h"
 #include "renderer/shapes/cylinder.h"
 #include "renderer/shapes/disk.h"
 #include "renderer/shapes/long_face.h"
 #include "renderer/shapes/plane.h"
 #include "renderer/shapes/quad.h"
+#include "renderer/shapes/sdf_grid.h"
 #include "renderer/shapes/sphere.h"
 #include "scenes/meshes/mesh.h"
 
@@ -47,9 +49,9 @@ ShapeBox box_around(const MeshInstance& copy);
 
 /// The finite shapes that Embree does not have, and others: one row per shape.
 template <template <class...> class List, class... Other>
-using SolvedShapes = List<Sphere, Disk, Cylinder, Other...>;
+using SolvedShapes = List<Sphere, Disk, Cylinder, SdfGrid, Other...>;
 
-using Geometry = SolvedShapes<std::variant, Quad, Mesh, Plane, MeshInstance>;
+using Geometry = SolvedShapes<std::variant, Quad, Mesh, Plane, MeshInstance, Curves>;
 
 /// The mesh of a mesh or of a copy of one; null for other shapes.
 const Mesh* mesh_of(const Geometry& geometry);

@@ -7,12 +7,14 @@
 namespace photonproof::inline scenes_description {
 
 void visit_file_names(SceneDescription& scene, const std::function<void(std::string&)>& visit) {
-  const auto visit_meshes = [&](std::vector<ShapeDescription>& shapes) {
-    for (ShapeDescription& shape : shapes)
-      if (auto* mesh = std::get_if<MeshDescription>(&shape.geometry)) visit(mesh->filename);
+  const auto visit_shape = [&](auto& geometry) {
+    if constexpr (requires { geometry.filename; }) visit(geometry.filename);
   };
-  visit_meshes(scene.shapes);
-  for (ShapeGroupDescription& group : scene.groups) visit_meshes(group.shapes);
+  const auto visit_shapes = [&](std::vector<ShapeDescription>& shapes) {
+    for (ShapeDescription& shape : shapes) std::visit(visit_shape, shape.geometry);
+  };
+  visit_shapes(scene.shapes);
+  for (ShapeGroupDescription& group : scene.groups) visit_shapes(group.shapes);
   for (TextureDescription& texture : scene.textures)
     if (auto* bitmap = std::get_if<BitmapDescription>(&texture.pattern)) visit(bitmap->filename);
   for (MediumDescription& medium : scene.media)

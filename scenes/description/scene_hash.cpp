@@ -43,6 +43,10 @@ class SceneHash {
                               grid.high.y, grid.high.z});
     vector(grid.values);
   }
+  void asset(const CurveSet& curves) {
+    vector(curves.points);
+    vector(curves.first);
+  }
   void asset(const IesProfile& profile) {
     vector(profile.vertical_degrees);
     vector(profile.horizontal_degrees);
@@ -57,6 +61,8 @@ class SceneHash {
       if (d.mesh) asset(*d.mesh);
     if constexpr (requires { *d.profile; })
       if (d.profile) asset(*d.profile);
+    if constexpr (requires { *d.curves; })
+      if (d.curves) asset(*d.curves);
     if constexpr (requires { *d.grid; })
       if (d.grid) asset(*d.grid);
   }

@@ -52,6 +52,12 @@ struct LocalBox {
     const double height = std::abs(d.amplitude);
     return {{-1, -1, -height}, {1, 1, height}};
   }
+  Box operator()(const CurvesDescription& d) const {
+    Box box;
+    for (const CurvePoint& point : d.curves->points) box.add(Vec3d(point.p));
+    return box;
+  }
+  Box operator()(const SdfGridDescription&) const { return {Vec3d(0.0), Vec3d(1.0)}; }
   Box operator()(const InstanceDescription& d) const { return box_of(scene.groups[d.group.value].shapes); }
 
   Box box_of(const std::vector<ShapeDescription>& shapes) const {

@@ -9,8 +9,10 @@
 #include <variant>
 #include <vector>
 
+#include "scenes/curves/curve_set.h"
 #include "scenes/description/texture_description.h"
 #include "scenes/meshes/mesh.h"
+#include "scenes/meshes/vol.h"
 
 namespace photonproof::inline scenes_description {
 
@@ -23,11 +25,17 @@ struct SphereDescription {
   friend bool operator==(const SphereDescription&, const SphereDescription&) = default;
 };
 
+/// Shapes that can neither emit nor hold media.
 template <class P>
-void describe_placed_shape(P& p) {
+void describe_passive_shape(P& p) {
   p.also("to_world", scene_xml::ParamType::transform, "", "places the shape; it has an inverse");
   p.also("flip_normals", scene_xml::ParamType::boolean, "false", "the front is the other side");
   p.nested("bsdf", 1, "a BSDF, else `diffuse`");
+}
+
+template <class P>
+void describe_placed_shape(P& p) {
+  describe_passive_shape(p);
   p.nested("emitter", 1, "an `area`");
   p.nested("medium", 2, "media named `interior` and `exterior`");
 }
@@ -185,6 +193,64 @@ void describe(P& p, HeightfieldDescription& d) {
   describe_placed_shape(p);
 }
 
+/// Tubes around the curves of a file, with normals outward. Rays that meet a tube from inside pass, as in Mitsuba.
+/// Control points are placed by to_world, and their radii stay. A B-spline curve has four points or more and open ends.
+/// Its surface is made of circles across the curve. A linear curve has two points or more. Its surface is that around
+/// all balls whose centres and radii lie on a segment.
+struct CurvesDescription {
+  static constexpr bool finite = true;
+  static constexpr int surfaces = 1;
+  enum class Basis { bspline, linear };
+  Basis basis = Basis::bspline;
+  std::string filename;                    ///< as the scene spells it
+  std::shared_ptr<const CurveSet> curves;  ///< Never null; shared by the shapes that name the same file.
+  double radius_scale = 1;                 ///< factor on radii, of a scene whose lengths were scaled
+
+  std::size_t points_of_segment() const { return basis == Basis::linear ? 2 : 4; }
+  friend bool operator==(const CurvesDescription& a, const CurvesDescription& b) {
+    return a.basis == b.basis && a.filename == b.filename && a.radius_scale == b.radius_scale &&
+           (a.curves == b.curves || (a.curves && b.curves && *a.curves == *b.curves));
+  }
+};
+
+template <class P>
+void describe(P& p, CurvesDescription& d) {
+  const bool linear = d.basis == CurvesDescription::Basis::linear;
+  p.plugin(linear ? "linearcurve" : "bsplinecurve",
+           linear ? "tubes around polylines, with round joints and ends; only their outside is seen"
+                  : "tubes around cubic B-splines, open at both ends; only their outside is seen");
+  p.file("filename", d.filename,
+         linear ? "text: lines of `x y z radius`, at least 2 a curve, blank lines between curves"
+                : "text: lines of `x y z radius`, at least 4 a curve, blank lines between curves");
+  describe_passive_shape(p);
+}
+
+/// The zeros of signed distances on a grid over the unit cube, interpolated trilinearly. The samples of n along an axis
+/// lie at i / (n - 1). The front is where distances are positive.
+struct SdfGridDescription {
+  static constexpr bool finite = true;
+  static constexpr int surfaces = 1;
+  enum class Normals { smooth, analytic };
+  std::string filename;                    ///< as the scene spells it
+  std::shared_ptr<const VolumeGrid> grid;  ///< Never null; one channel, at least two samples along each axis.
+  Normals normals = Normals::smooth;
+  friend bool operator==(const SdfGridDescription& a, const SdfGridDescription& b) {
+    return a.filename == b.filename && a.normals == b.normals &&
+           (a.grid == b.grid || (a.grid && b.grid && *a.grid == *b.grid));
+  }
+};
+
+template <class P>
+void describe(P& p, SdfGridDescription& d) {
+  p.plugin("sdfgrid", "zeros of signed distances over the unit cube; sample i of n lies at i / (n - 1)");
+  p.file("filename", d.filename, "the name of a .vol file of one channel");
+  p.choice("normals", d.normals,
+           {{"smooth", SdfGridDescription::Normals::smooth}, {"analytic", SdfGridDescription::Normals::analytic}},
+           "of shading: continuous across voxels, or the gradient");
+  describe_passive_shape(p);
+  p.nested("medium", 2, "media named `interior` and `exterior`");
+}
+
 /// A copy of a group of shapes, placed by to_world. The BSDFs are the group's; the instance's own index is unused.
 struct InstanceDescription {
   static constexpr bool finite = true;
@@ -204,7 +270,8 @@ struct ShapeDescription {
   SourceLoc loc;
   std::string id;
   std::variant<SphereDescription, RectangleDescription, CubeDescription, MeshDescription, DiskDescription,
-               CylinderDescription, PlaneDescription, HeightfieldDescription, InstanceDescription>
+               CylinderDescription, PlaneDescription, HeightfieldDescription, CurvesDescription, SdfGridDescription,
+               InstanceDescription>
       geometry;
   Transform to_world;
   bool flip_normals = false;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <limits>
 #include <utility>
 
 #include "scenes/base/input_error.h"
@@ -56,7 +57,7 @@ VolumeGrid parse_header(std::string_view bytes, const std::string& file) {
 
 }  // namespace
 
-VolumeGrid parse_vol(std::string_view bytes, const std::string& file) {
+VolumeGrid parse_vol(std::string_view bytes, const std::string& file, VolValues allowed) {
   VolumeGrid grid = parse_header(bytes, file);
   // At most 2^62: each factor is at most 2^20, and there are 3 channels.
   const std::uint64_t count =
@@ -66,10 +67,12 @@ VolumeGrid parse_vol(std::string_view bytes, const std::string& file) {
     throw InputError(file, "has " + std::to_string(there) + " values, expected " + std::to_string(count));
   grid.values.resize(count);
   std::memcpy(grid.values.data(), bytes.data() + kVolHeaderBytes, count * sizeof(float));
+  grid.largest = allowed == VolValues::any ? std::numeric_limits<float>::lowest() : 0;
   for (std::size_t i = 0; i < count; ++i) {
-    if (!std::isfinite(grid.values[i]) || grid.values[i] < 0)
+    if (!std::isfinite(grid.values[i]) || (allowed == VolValues::not_negative && grid.values[i] < 0))
       throw InputError(file, "byte " + std::to_string(kVolHeaderBytes + i * sizeof(float)) +
-                                 " begins a value that is negative or not finite");
+                                 " begins a value that is " +
+                                 (allowed == VolValues::any ? "not finite" : "negative or not finite"));
     grid.largest = std::max(grid.largest, grid.values[i]);
   }
   return grid;

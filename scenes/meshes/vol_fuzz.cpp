@@ -13,7 +13,7 @@
 namespace photonproof::inline scenes_meshes {
 namespace {
 
-std::string problem_with(const VolumeGrid& grid, std::size_t bytes) {
+std::string problem_with(const VolumeGrid& grid, std::size_t bytes, VolValues allowed) {
   if (grid.width < 1 || grid.height < 1 || grid.depth < 1) return "a grid without cells";
   if (grid.channels != 1 && grid.channels != 3) return "neither 1 nor 3 channels";
   const std::size_t count =
@@ -22,7 +22,9 @@ std::string problem_with(const VolumeGrid& grid, std::size_t bytes) {
   if (count * sizeof(float) > bytes) return "a grid larger than its file";
   const Vec3f extent = grid.high - grid.low;
   if (!(extent.x > 0 && extent.y > 0 && extent.z > 0) || !is_finite(extent)) return "a box without extent";
-  if (!std::ranges::all_of(grid.values, [&](float v) { return v >= 0 && v <= grid.largest; }))
+  if (!std::ranges::all_of(grid.values, [&](float v) {
+        return (v >= 0 || (allowed == VolValues::any && std::isfinite(v))) && v <= grid.largest;
+      }))
     return "a value that is negative, not finite, or above the largest";
   return std::isfinite(grid.largest) ? "" : "a value that is not finite";
 }
@@ -30,11 +32,16 @@ std::string problem_with(const VolumeGrid& grid, std::size_t bytes) {
 }  // namespace
 
 std::string check_vol(std::string_view bytes) {
-  try {
-    return problem_with(parse_vol(bytes, "fuzz.vol"), bytes.size());
-  } catch (const InputError& error) {
-    return problem_with(error, "fuzz.vol");
+  for (const VolValues allowed : {VolValues::not_negative, VolValues::any}) {
+    std::string problem;
+    try {
+      problem = problem_with(parse_vol(bytes, "fuzz.vol", allowed), bytes.size(), allowed);
+    } catch (const InputError& error) {
+      problem = problem_with(error, "fuzz.vol");
+    }
+    if (!problem.empty()) return problem;
   }
+  return "";
 }
 
 }  // namespace photonproof::inline scenes_meshes

@@ -64,7 +64,7 @@ struct CompleteVolume {
   Params& params;
 
   void operator()(GridVolumeDescription& d) const {
-    const auto loaded = params.objects().files().volume(params.value_of("filename"));
+    const auto loaded = params.objects().files().volume(params.value_of("filename"), VolValues::not_negative);
     d.filename = loaded.name;
     d.grid = loaded.content;
     params.expect(d.to_world.inverse().has_value(), "to_world", "is singular: it flattens the volume");

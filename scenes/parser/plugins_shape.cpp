@@ -1,4 +1,5 @@
 // Mitsuba 3's shapes and the extensions plane and heightfield: rules that a description alone does not state.
+#include <algorithm>
 #include <cmath>
 
 #include "scenes/description/description.h"
@@ -42,10 +43,27 @@ struct CompleteShape {
     params.expect(cells <= kMaxCells, "columns",
                   "times rows is " + std::to_string(cells) + " cells, expected at most 2^24");
   }
+  void operator()(CurvesDescription& d) const {
+    const auto loaded = params.objects().files().curves(params.value_of("filename"), d.points_of_segment());
+    d.filename = loaded.name;
+    d.curves = loaded.content;
+  }
+  void operator()(SdfGridDescription& d) const {
+    const auto loaded = params.objects().files().volume(params.value_of("filename"), VolValues::any);
+    d.filename = loaded.name;
+    d.grid = loaded.content;
+    const VolumeGrid& grid = *d.grid;
+    params.expect(grid.channels == 1, "filename", "names a grid of 3 channels, expected one of distances");
+    params.expect(std::min({grid.width, grid.height, grid.depth}) >= 2, "filename",
+                  "names a grid of one sample along an axis, expected at least 2");
+    const auto is_inside = [](float distance) { return distance <= 0; };
+    params.expect(grid.largest >= 0 && std::ranges::any_of(grid.values, is_inside), "filename",
+                  "names a grid without a surface, expected distances of both signs");
+  }
   void operator()(InstanceDescription&) const {}
 };
 
-/// Mitsuba turns the v of an OBJ over, but not that of a PLY, which has the kind's own row.
+/// Mitsuba turns the v of an OBJ over, but not that of a PLY, which has the kind's own row. So have B-splines.
 std::vector<Plugin<Geometry>> shape_plugins() {
   std::vector<Plugin<Geometry>> rows = described_plugins<Geometry, CompleteShape>();
   MeshDescription obj;
@@ -55,6 +73,9 @@ std::vector<Plugin<Geometry>> shape_plugins() {
   MeshDescription serialized;
   serialized.format = MeshDescription::Format::serialized;
   rows.push_back(described_plugin<Geometry, CompleteShape>(serialized));
+  CurvesDescription linear;
+  linear.basis = CurvesDescription::Basis::linear;
+  rows.push_back(described_plugin<Geometry, CompleteShape>(linear));
   sort_by_name(rows);
   return rows;
 }

@@ -203,6 +203,19 @@ TEST(plugins, give_mitsubas_defaults_of_shapes) {
   EXPECT_EQ(bumpy.columns, 3);
 }
 
+TEST(plugins, read_curves) {
+  const auto of = [](const std::string& type, const std::string& file) {
+    const std::string name = PHOTONPROOF_CORPORA "/curve_set_corpus/test.xml";
+    const auto scene = parse(
+        kSensor + kLight + "<shape type='" + type + "'><string name='filename' value='" + file + "'/></shape>", name);
+    return std::get<CurvesDescription>(scene.shapes.at(0).geometry);
+  };
+  EXPECT_EQ(of("bsplinecurve", "bspline").basis, CurvesDescription::Basis::bspline);
+  EXPECT_EQ(of("linearcurve", "linear").basis, CurvesDescription::Basis::linear);
+  EXPECT_EQ(of("linearcurve", "linear").curves->first.size(), 2u);
+  EXPECT_THROW(of("bsplinecurve", "linear"), InputError);
+}
+
 TEST(plugins, give_mitsubas_defaults_of_emitters) {
   EXPECT_EQ(light<SpotLightDescription>("spot"), SpotLightDescription{});
   EXPECT_EQ(light<SpotLightDescription>("spot", "<float name='cutoff_angle' value='40'/>").beam_degrees, 30)

@@ -1,6 +1,7 @@
 #include "scenes/parser/scene_files.h"
 
 #include "scenes/base/text_numbers.h"
+#include "scenes/curves/curve_set.h"
 #include "scenes/files/atomic_file.h"
 #include "scenes/meshes/ies.h"
 #include "scenes/meshes/obj.h"
@@ -131,11 +132,20 @@ SceneFiles::Loaded<IesProfile> SceneFiles::ies(const Attribute& filename) {
   return {file.name, profile};
 }
 
-SceneFiles::Loaded<VolumeGrid> SceneFiles::volume(const Attribute& filename) {
+SceneFiles::Loaded<VolumeGrid> SceneFiles::volume(const Attribute& filename, VolValues allowed) {
   const SceneFolders::File file = folders_.find(filename);
-  std::shared_ptr<const VolumeGrid>& volume = volumes_[file.real];
-  if (!volume) volume = std::make_shared<const VolumeGrid>(parsed(file, filename, kMaxVolBytes, parse_vol));
+  std::shared_ptr<const VolumeGrid>& volume = volumes_[{file.real, allowed}];
+  const auto parse = [&](const std::string& bytes, const std::string& name) { return parse_vol(bytes, name, allowed); };
+  if (!volume) volume = std::make_shared<const VolumeGrid>(parsed(file, filename, kMaxVolBytes, parse));
   return {file.name, volume};
+}
+
+SceneFiles::Loaded<CurveSet> SceneFiles::curves(const Attribute& filename, std::size_t least) {
+  const SceneFolders::File file = folders_.find(filename);
+  std::shared_ptr<const CurveSet>& curves = curves_[{file.real, least}];
+  const auto parse = [&](const std::string& text, const std::string& name) { return parse_curves(text, name, least); };
+  if (!curves) curves = std::make_shared<const CurveSet>(parsed(file, filename, kMaxCurveBytes, parse));
+  return {file.name, curves};
 }
 
 std::string SceneFiles::text(const Attribute& filename) {

@@ -59,7 +59,9 @@ class SceneFiles {
   /// `raw`: 8- and 16-bit samples are numbers, not sRGB.
   Loaded<Image> image(const Attribute& filename, bool raw);
   Loaded<IesProfile> ies(const Attribute& filename);
-  Loaded<VolumeGrid> volume(const Attribute& filename);
+  Loaded<VolumeGrid> volume(const Attribute& filename, VolValues allowed);
+  /// `least`: control points of a curve.
+  Loaded<CurveSet> curves(const Attribute& filename, std::size_t least);
   /// The text of a small file.
   std::string text(const Attribute& filename);
 
@@ -75,7 +77,8 @@ class SceneFiles {
       meshes_;
   std::map<std::pair<std::filesystem::path, bool>, std::shared_ptr<const Image>> images_;
   std::map<std::filesystem::path, std::shared_ptr<const IesProfile>> profiles_;
-  std::map<std::filesystem::path, std::shared_ptr<const VolumeGrid>> volumes_;
+  std::map<std::pair<std::filesystem::path, VolValues>, std::shared_ptr<const VolumeGrid>> volumes_;
+  std::map<std::pair<std::filesystem::path, std::size_t>, std::shared_ptr<const CurveSet>> curves_;
 };
 
 }  // namespace photonproof::scene_xml

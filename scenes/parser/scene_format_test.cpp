@@ -67,6 +67,9 @@ std::string all_tables() {
   obj.format = MeshDescription::Format::obj;
   obj.flip_tex_coords = true;
   shapes.push_back(rows_of(obj));
+  CurvesDescription linear;
+  linear.basis = CurvesDescription::Basis::linear;
+  shapes.push_back(rows_of(linear));
   MeshDescription serialized;
   serialized.format = MeshDescription::Format::serialized;
   shapes.push_back(rows_of(serialized));

@@ -51,6 +51,13 @@ class Files {
     write_exr((folder_ / "a.exr").string(), {grey, {}, {}});
     fs::copy(corpora / "vol_corpus/00", folder_ / "a.vol");
     grid = std::make_shared<const VolumeGrid>(parse_vol(read_file(folder_ / "a.vol"), "a.vol"));
+    fs::copy(corpora / "curve_set_corpus/bspline", folder_ / "a.txt");
+    curves = std::make_shared<const CurveSet>(parse_curves(read_file(folder_ / "a.txt"), "a.txt", 4));
+    std::string slope("VOL\x03\x01\0\0\0\x02\0\0\0\x02\0\0\0\x02\0\0\0\x01\0\0\0", 24);
+    for (const float word : {0.f, 0.f, 0.f, 1.f, 1.f, 1.f, -1.f, -1.f, -1.f, -1.f, 1.f, 1.f, 1.f, 1.f})
+      slope.append(reinterpret_cast<const char*>(&word), sizeof word);
+    write_file_atomically(folder_ / "b.vol", slope);
+    distances = std::make_shared<const VolumeGrid>(parse_vol(slope, "b.vol", VolValues::any));
     mesh_of_ply = std::make_shared<const TriangleMesh>(read_ply((folder_ / "a.ply").string()));
     mesh_of_obj = std::make_shared<const TriangleMesh>(read_obj((folder_ / "a.obj").string()));
     profile = std::make_shared<const IesProfile>(read_ies((folder_ / "a.ies").string()));
@@ -62,7 +69,8 @@ class Files {
   std::shared_ptr<const TriangleMesh> mesh_of_ply, mesh_of_obj;
   std::shared_ptr<const IesProfile> profile;
   std::shared_ptr<const Image> image;
-  std::shared_ptr<const VolumeGrid> grid;
+  std::shared_ptr<const VolumeGrid> grid, distances;
+  std::shared_ptr<const CurveSet> curves;
 
  private:
   const ScratchFolder scratch_{"writer-test"};
@@ -299,8 +307,8 @@ class RandomScene {
     ShapeDescription result;
     result.id = id;
     result.to_world = similarity();
-    bool emits = in_scene;
-    switch (pick(in_scene && !scene_.groups.empty() ? 9 : 8)) {
+    bool emits = in_scene, has_media = true;
+    switch (pick(in_scene && !scene_.groups.empty() ? 11 : 10)) {
       case 0:
         result.geometry = SphereDescription{vector(), positive()};
         break;
@@ -337,6 +345,17 @@ class RandomScene {
         result.geometry = CubeDescription{};
         result.to_world = any();
         break;
+      case 8:
+        result.geometry = CurvesDescription{static_cast<CurvesDescription::Basis>(pick(2)), "a.txt", files_.curves};
+        result.to_world = stretched();
+        emits = has_media = false;
+        break;
+      case 9:
+        result.geometry =
+            SdfGridDescription{"b.vol", files_.distances, static_cast<SdfGridDescription::Normals>(pick(2))};
+        result.to_world = stretched();
+        emits = false;
+        break;
       default:
         result.geometry = InstanceDescription{{static_cast<std::uint32_t>(pick(scene_.groups.size()))}};
         result.to_world = stretched();
@@ -344,8 +363,8 @@ class RandomScene {
     }
     result.flip_normals = coin();
     result.bsdf = bsdf(0);
-    if (coin()) result.interior = any_medium();
-    if (coin()) result.exterior = any_medium();
+    if (has_media && coin()) result.interior = any_medium();
+    if (has_media && coin()) result.exterior = any_medium();
     if (emits && coin()) result.radiance = pick(3) == 0 ? Colour(texture()) : Colour(bright());
     return result;
   }

@@ -1,4 +1,4 @@
-#include "renderer/shapes/mesh_area.h"
+#include "renderer/areas/mesh_area.h"
 
 #include <algorithm>
 #include <array>
@@ -10,7 +10,7 @@
 #include "renderer/lanes/lane_trig.h"
 #include "renderer/photons/surface_side.h"
 
-namespace photonproof::inline renderer_shapes {
+namespace photonproof::inline renderer_areas {
 namespace {
 
 constexpr int shared_levels = 5;  // cut level by level, their nodes in parallel; below, subtrees are
@@ -374,4 +374,4 @@ double MeshArea::within(const AffineMap& placement, const Vec3f& p, const Vec3f&
   return visit({p, front_normal, radius, double{sheet_height} * radius, &placement}, 0, 0);
 }
 
-}  // namespace photonproof::inline renderer_shapes
+}  // namespace photonproof::inline renderer_areas

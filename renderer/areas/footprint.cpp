@@ -1,4 +1,4 @@
-#include "renderer/shapes/footprint.h"
+#include "renderer/areas/footprint.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 
 #include "scenes/meshes/convex_clip.h"
 
-namespace photonproof::inline renderer_shapes {
+namespace photonproof::inline renderer_areas {
 namespace {
 
 constexpr int sides_of_circle = 64;
@@ -143,4 +143,4 @@ bool Footprint::overlaps(const Footprint& other) const {
   return polygon_area(common) > 1e-6 * std::min(area(), other.area());
 }
 
-}  // namespace photonproof::inline renderer_shapes
+}  // namespace photonproof::inline renderer_areas

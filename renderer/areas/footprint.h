@@ -12,7 +12,7 @@
 #include "renderer/shapes/quad.h"
 #include "renderer/shapes/sphere.h"
 
-namespace photonproof::inline renderer_shapes {
+namespace photonproof::inline renderer_areas {
 
 /// A parallelepiped or a ball, seen from outside.
 struct Solid {
@@ -58,4 +58,4 @@ class Footprint {
   bool front_, back_;
 };
 
-}  // namespace photonproof::inline renderer_shapes
+}  // namespace photonproof::inline renderer_areas

@@ -1,6 +1,6 @@
 // The areas that gathers on meshes divide by, compared with the shapes that the meshes approximate and with counting.
 
-#include "renderer/shapes/mesh_area.h"
+#include "renderer/areas/mesh_area.h"
 
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@
 #include "renderer/lanes/warp.h"
 #include "renderer/shapes/surface.h"
 
-namespace photonproof::inline renderer_shapes {
+namespace photonproof::inline renderer_areas {
 namespace {
 
 Mesh compiled(const MeshDescription& description, const Transform& to_world = {}) {
@@ -183,4 +183,4 @@ TEST(mesh_area, is_the_same_by_any_number_of_threads) {
 }
 
 }  // namespace
-}  // namespace photonproof::inline renderer_shapes
+}  // namespace photonproof::inline renderer_areas

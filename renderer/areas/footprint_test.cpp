@@ -1,6 +1,6 @@
 // The parts of flat shapes that solids cover, compared with counting points.
 
-#include "renderer/shapes/footprint.h"
+#include "renderer/areas/footprint.h"
 
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@
 #include "renderer/planning/test_compiled.h"
 #include "renderer/scene/scene.h"
 
-namespace photonproof::inline renderer_shapes {
+namespace photonproof::inline renderer_areas {
 namespace {
 
 /// 4 x 4 about the origin, facing +z.
@@ -119,4 +119,4 @@ TEST(solid, of_a_cube_is_its_transform_applied_to_the_axes) {
 }
 
 }  // namespace
-}  // namespace photonproof::inline renderer_shapes
+}  // namespace photonproof::inline renderer_areas

@@ -11,7 +11,7 @@
 #include "renderer/core/parallel.h"
 #include "renderer/shapes/surface.h"
 
-namespace photonproof::inline renderer_shapes {
+namespace photonproof::inline renderer_areas {
 
 class MeshArea {
  public:
@@ -66,4 +66,4 @@ class MeshArea {
   std::vector<Node> nodes_;  ///< node k of a level is 2^level + k; the children of n are 2n and 2n + 1
 };
 
-}  // namespace photonproof::inline renderer_shapes
+}  // namespace photonproof::inline renderer_areas
