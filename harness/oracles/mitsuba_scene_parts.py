@@ -245,8 +245,9 @@ def write_files(folder):
     for name, channels in (("smoke", 1), ("coloured", 3)):
         write_vol(folder / f"{name}.vol", [[[[draw.random() for _ in range(channels)] for _ in range(4)] for _ in range(3)]
                                            for _ in range(5)])
-    write_vol(folder / "dented.vol", dented_ball((12, 9, 14)))
-    write_vol(folder / "slope.vol", [[[[0.3 + 0.4 * x - y + 0.1 * z] for x in (0, 1)] for y in (0, 0.25, 0.5, 0.75, 1)]
+    write_vol(folder / "dented.vol", dented_ball((12, 12, 12)))
+    write_vol(folder / "uneven.vol", dented_ball((12, 9, 14)))
+    write_vol(folder / "slope.vol", [[[[0.3 + 0.4 * x - y + 0.1 * z] for x in (0, 0.5, 1)] for y in (0, 0.5, 1)]
                                      for z in (0, 0.5, 1)])
     write_curves(folder / "tuft.txt", tuft(random.Random(11), 7))
     write_curves(folder / "sticks.txt", tuft(random.Random(12), 4, 30))

@@ -110,8 +110,7 @@ void SceneShapes::add(const CurvesDescription& curves, const ShapeDescription& s
   if (!to_local) throw InputError(description_.where(shape.loc), "the curves' to_world has no inverse");
   const Transform of_instance = to_world * *to_local;
   ShapePlace{description_, shape, of_instance}.require_similarity();
-  Curves made =
-      compiled_curves(curves, to_world, curves.radius_scale * of_instance.similarity_scale(), shape.flip_normals);
+  Curves made = compiled_curves(curves, to_world, of_instance, shape.flip_normals);
   primitives += made.segments.size();
   add_surface(std::move(made), shape);
 }

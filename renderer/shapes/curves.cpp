@@ -27,16 +27,17 @@ Vec3d across(const Vec3d& offset, const Vec3d& along) {
 struct AngleAxes {
   Vec3d start, side;  ///< at u = 0 and 1/4; unit
 };
-AngleAxes angle_axes(const Vec3d& tangent) {
-  const Vec3d guide(0, 0, 1), part = guide - tangent * dot(tangent, guide);
+AngleAxes angle_axes(const Vec3d& tangent, const Vec3d& guide) {
+  const Vec3d part = guide - tangent * dot(tangent, guide);
   const double norm = length(part);
   const Vec3d side = norm > 0 ? part / norm : Vec3d(0, 1, 0);
   return {cross(side, tangent), side};
 }
 
 /// Derivative by the parameter of the direction `radial`, whose angle stays.
-Vec3d turning(const CurveFrame& at, const Vec3d& tangent, const AngleAxes& axes, const Vec3d& radial) {
-  const Vec3d guide(0, 0, 1), part = guide - tangent * dot(tangent, guide);
+Vec3d turning(const CurveFrame& at, const Vec3d& tangent, const Vec3d& guide, const AngleAxes& axes,
+              const Vec3d& radial) {
+  const Vec3d part = guide - tangent * dot(tangent, guide);
   const double norm = length(part);
   if (!(norm > 0)) return Vec3d(0.0);
   const Vec3d d_tangent = (at.bend - tangent * dot(tangent, at.bend)) / length(at.along);
@@ -141,10 +142,10 @@ LocalGeometry local_geometry(const Curves& curves, std::uint32_t segment, const 
     return {{0, 0}, around.s, around.t, normal};
   }
   const Vec3d tangent = at.along / along, radial = offset / from_center;
-  const AngleAxes axes = angle_axes(tangent);
+  const AngleAxes axes = angle_axes(tangent, curves.guide);
   const double count = static_cast<double>(curves.segments.size());
   Vec3d dp_dv = at.along + radial * at.widening;
-  if (!curves.linear) dp_dv += turning(at, tangent, axes, radial) * at.radius;
+  if (!curves.linear) dp_dv += turning(at, tangent, curves.guide, axes, radial) * at.radius;
   const float u = turn_of(static_cast<float>(dot(radial, axes.start)), static_cast<float>(dot(radial, axes.side)));
   return {{u, static_cast<float>((v + segment) / count)},
           Vec3f(cross(tangent, offset) * (2 * double{pi})),
@@ -152,12 +153,14 @@ LocalGeometry local_geometry(const Curves& curves, std::uint32_t segment, const 
           normal};
 }
 
-Curves compiled_curves(const CurvesDescription& description, const Transform& to_world, double radius_scale,
+Curves compiled_curves(const CurvesDescription& description, const Transform& to_world, const Transform& of_instance,
                        bool inward) {
   const CurveSet& source = *description.curves;
   Curves made;
   made.linear = description.basis == CurvesDescription::Basis::linear;
   made.inward = inward;
+  made.guide = normalize(of_instance.vector({0, 0, 1}));
+  const double radius_scale = description.radius_scale * of_instance.similarity_scale();
   made.points.reserve(source.points.size());
   for (const CurvePoint& q : source.points)
     made.points.push_back({Vec3f(to_world.point(Vec3d(q.p))), static_cast<float>(double{q.radius} * radius_scale)});

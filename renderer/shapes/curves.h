@@ -20,7 +20,8 @@ struct Curves {
   std::vector<CurvePoint> points;       ///< in world space
   std::vector<std::uint32_t> segments;  ///< the first control point of each
   bool linear = false;
-  bool inward = false;  ///< the normal points to the curve
+  bool inward = false;   ///< the normal points to the curve
+  Vec3d guide{0, 0, 1};  ///< unit; u is a quarter on this side of a tube
 
   static constexpr bool is_round = false;
   float curvature_radius() const { return 0; }
@@ -42,8 +43,9 @@ double curve_parameter(const Curves& curves, std::size_t segment, const Vec3d& p
 
 ShapeBox box_around(const Curves& curves);
 LocalGeometry local_geometry(const Curves& curves, std::uint32_t segment, const Vec3f& p, const Vec3f& normal);
-/// `radius_scale` multiplies the description's radii.
-Curves compiled_curves(const CurvesDescription& description, const Transform& to_world, double radius_scale,
+/// `of_instance`, a similarity, is the part of to_world that is not the shape's own. It scales radii, and turns the
+/// direction from which u counts.
+Curves compiled_curves(const CurvesDescription& description, const Transform& to_world, const Transform& of_instance,
                        bool inward);
 Extent extent_of(const CurvesDescription& description, const Transform& to_world);
 /// On the ball around a control point.
