@@ -30,8 +30,8 @@ struct Interval {
   double length() const { return std::max(0.0, high - low); }
 };
 
-/// Half the angle of the part of a circle where the distance from a point is at most `reach`: the circle's radius is
-/// `radius`, and the point is `off` from its middle. 0 where there is none.
+/// Half the angle of the part of a circle that is at most `reach` from a point; 0 where there is none. The circle's
+/// radius is `radius`, and the point is `off` from its middle.
 double half_arc(double radius, double off, double reach) {
   const double twice = 2 * radius * off, rest = radius * radius + off * off - reach * reach;
   if (rest <= -twice) return std::numbers::pi;

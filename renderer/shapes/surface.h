@@ -1,5 +1,5 @@
-// The surfaces that rays meet: parallelograms (rectangles, faces of cubes), spheres, discs, cylinders and planes as
-// themselves, meshes, which may also be copies placed by a transform, curves, and zeros of signed distances.
+// The surfaces that rays meet. Parallelograms (rectangles, faces of cubes), spheres, discs, cylinders, planes, curves and
+// zeros of signed distances are themselves. Meshes may also be copies placed by a transform.
 #pragma once
 
 #include <cstdint>
