@@ -123,7 +123,7 @@ TEST_F(BenchRun, conclusions_are_in_the_record_and_the_control_is_measured_apart
   ASSERT_EQ(record.convergence.size(), 2u);
   EXPECT_EQ(record.convergence[0].engine, "brighter");
   EXPECT_EQ(record.convergence[1].engine, "brighter-control");
-  const CurvePoint& point = record.convergence[0].points.at(0);
+  const ConvergencePoint& point = record.convergence[0].points.at(0);
   EXPECT_EQ(point.seeds, 3);
   EXPECT_NEAR(point.relmse->value, 0.01 / 0.26, 1e-5);
   EXPECT_FALSE(point.bias2);

@@ -69,8 +69,8 @@ CorrectnessRecord judge_correctness(const Judge& judge, const Engine& engine, co
   return record;
 }
 
-void reconcile(std::span<CurvePoint> points) {
-  const CurvePoint* acquitted = nullptr;
+void reconcile(std::span<ConvergencePoint> points) {
+  const ConvergencePoint* acquitted = nullptr;
   for (std::size_t i = points.size(); i-- > 0;) {
     auto& record = points[i].correctness;
     if (!record) continue;

@@ -38,6 +38,6 @@ CorrectnessRecord judge_correctness(const Judge& judge, const Engine& engine, co
 
 /// For one unbiased engine on one scene: light that a budget's images lack and a larger budget's images have comes from
 /// rare bright samples that the smaller budget missed. So its verdict becomes noisy. `points` ascend.
-void reconcile(std::span<CurvePoint> points);
+void reconcile(std::span<ConvergencePoint> points);
 
 }  // namespace photonproof::inline harness_bench

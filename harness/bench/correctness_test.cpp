@@ -139,8 +139,8 @@ TEST(Correctness, of_images_that_missed_rare_bright_samples_is_noisy_where_other
 
 // An unbiased engine's expectation is the same at every budget.
 TEST(Correctness, of_an_unbiased_engines_small_budget_is_not_biased_where_a_larger_one_is_right) {
-  std::vector<CurvePoint> points(3);
-  for (CurvePoint& point : points) point.correctness = CorrectnessRecord{};
+  std::vector<ConvergencePoint> points(3);
+  for (ConvergencePoint& point : points) point.correctness = CorrectnessRecord{};
   points[0].correctness->verdict = Correctness::biased;
   points[1].correctness->verdict = Correctness::right;
   points[2].correctness->verdict = Correctness::biased;

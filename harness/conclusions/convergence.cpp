@@ -76,7 +76,7 @@ std::optional<double> rendering_share(const Cells& cells) {
 
 // The estimate of bias^2 is unbiased: without a bias it is negative as often as positive, and only its interval's upper
 // end means much.
-void set_split(const ErrorSplit& split, CurvePoint& point) {
+void set_split(const ErrorSplit& split, ConvergencePoint& point) {
   point.relmse = split.relmse;
   point.variance = split.variance;
   const std::string of_few = fmt::format("one pixel has {:.0f} % of the error", 100 * split.share_of_a_pixel);
@@ -102,7 +102,7 @@ std::vector<Image> different_ones(const std::vector<Image>& images) {
 }
 
 void add_error(const Cells& cells, const Reference* reference, const fs::path& folder, const JudgeImages& judge,
-               CurvePoint& point) {
+               ConvergencePoint& point) {
   std::vector<Image> images;
   for (const Result* cell : cells) {
     std::optional<Rendering> image = reference == nullptr ? std::nullopt : read_if_there(folder / cell->image);
@@ -127,7 +127,7 @@ void add_error(const Cells& cells, const Reference* reference, const fs::path& f
   if (errors.size() == cells.size()) point.relmse = estimated_mean(errors);
 }
 
-void add_reference_share(const Reference* reference, CurvePoint& point, Convergence& curve) {
+void add_reference_share(const Reference* reference, ConvergencePoint& point, Convergence& curve) {
   if (!point.relmse) return;
   if (point.relmse->value <= rounding_relmse) point.undefined[own_error_key] = "it is rounding";
   if (reference == nullptr) return;
@@ -140,7 +140,7 @@ void add_reference_share(const Reference* reference, CurvePoint& point, Converge
 
 void add_point(const Budget& budget, const Cells& cells, const Reference* reference, const fs::path& folder,
                const JudgeImages& judge, Convergence& curve) {
-  CurvePoint point;
+  ConvergencePoint point;
   point.budget = budget;
   point.seeds = static_cast<int>(cells.size());
   std::vector<double> seconds;
@@ -186,11 +186,11 @@ void add_start_up_caveat(const std::map<double, Cells>& cells, Convergence& curv
   }
 }
 
-bool has_own_error(const CurvePoint& point) {
+bool has_own_error(const ConvergencePoint& point) {
   return point.relmse && point.relmse->value > 0 && point.seconds.value > 0 && !point.undefined.contains(own_error_key);
 }
 
-std::string why_no_error(const CurvePoint& point) {
+std::string why_no_error(const ConvergencePoint& point) {
   const auto why = point.undefined.find(own_error_key);
   return why != point.undefined.end() ? "error: " + why->second
          : point.relmse               ? "no error or no time"
@@ -199,7 +199,7 @@ std::string why_no_error(const CurvePoint& point) {
 
 void set_slope(const KnownPoints& known, Convergence& curve) {
   std::vector<double> log_seconds, log_relmse;
-  for (const CurvePoint* point : known.points) {
+  for (const ConvergencePoint* point : known.points) {
     log_seconds.push_back(std::log(point->seconds.value));
     log_relmse.push_back(std::log(point->relmse->value));
   }
@@ -230,9 +230,9 @@ std::optional<double> high_of(const Estimate& e) { return e.interval ? std::opti
 
 // Points in ascending seconds, since on a busy machine larger budgets may take less time. Empty where a point lacks an
 // end.
-CurvePoints points_with(EndOf seconds, EndOf relmse, const KnownPoints& curve) {
-  CurvePoints points;
-  for (const CurvePoint* point : curve.points) {
+ConvergencePoints points_with(EndOf seconds, EndOf relmse, const KnownPoints& curve) {
+  ConvergencePoints points;
+  for (const ConvergencePoint* point : curve.points) {
     const auto s = seconds(point->seconds), e = relmse(*point->relmse);
     if (!s || !e) return {};
     points.emplace_back(*s, *e);
@@ -281,7 +281,7 @@ std::optional<double> relmse_of(const Result& result) {
   return std::nullopt;
 }
 
-std::optional<double> time_to_error(const CurvePoints& points, double target) {
+std::optional<double> time_to_error(const ConvergencePoints& points, double target) {
   std::size_t below = points.size();  // all points from this one on are below the target
   while (below > 0 && points[below - 1].second <= target) --below;
   if (below == points.size()) return std::nullopt;
@@ -293,9 +293,9 @@ std::optional<double> time_to_error(const CurvePoints& points, double target) {
 
 KnownPoints known_points(const Convergence& curve) {
   KnownPoints known;
-  const CurvePoint* least = nullptr;
+  const ConvergencePoint* least = nullptr;
   std::size_t behind_leap = 0;
-  for (const CurvePoint& point : curve.points) {
+  for (const ConvergencePoint& point : curve.points) {
     if (!has_own_error(point)) continue;
     known.points.push_back(&point);
     if (least != nullptr && point.relmse->value > tolerated_growth * least->relmse->value) {
@@ -317,7 +317,7 @@ TargetTime time_to_target(const KnownPoints& curve, double relmse) {
     target.undefined = curve.leap.empty() ? no_own_error : curve.leap;
     return target;
   }
-  const CurvePoints points = points_with(value_of, value_of, curve);
+  const ConvergencePoints points = points_with(value_of, value_of, curve);
   if (const auto seconds = time_to_error(points, relmse))
     target.seconds = Estimate{*seconds, interval_of_time(curve, *seconds, relmse)};
   else if (points.front().second <= relmse)
@@ -331,7 +331,7 @@ void conclude(Convergence& curve) {
   const KnownPoints known = known_points(curve);
   set_slope(known, curve);
   if (!curve.points.empty()) {
-    const CurvePoint& last = curve.points.back();
+    const ConvergencePoint& last = curve.points.back();
     if (!has_own_error(last))
       curve.undefined["efficiency"] = why_no_error(last);
     else if (known.points.empty())
@@ -342,7 +342,7 @@ void conclude(Convergence& curve) {
   for (TargetTime& target : curve.targets) target = time_to_target(known, target.relmse);
   if (!known.leap.empty())
     curve.caveats.push_back(known.leap + ": the smaller budgets met too few rare bright samples, or it is a fault");
-  const auto few = [](const CurvePoint& point) { return point.seeds < 2; };
+  const auto few = [](const ConvergencePoint& point) { return point.seeds < 2; };
   if (std::any_of(curve.points.begin(), curve.points.end(), few))
     curve.caveats.push_back("one seed: neither spread nor bias is known");
 }

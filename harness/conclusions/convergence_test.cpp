@@ -11,8 +11,8 @@
 namespace photonproof::inline harness_conclusions {
 namespace {
 
-CurvePoint point(double spp, double seconds, double relmse) {
-  CurvePoint p;
+ConvergencePoint point(double spp, double seconds, double relmse) {
+  ConvergencePoint p;
   p.budget = {"spp", spp};
   p.seeds = 2;
   p.seconds = Estimate{seconds, Interval{seconds, seconds}};
@@ -115,14 +115,14 @@ TEST(Convergence, target_counts_as_reached_where_no_larger_budget_is_above_it) {
 // 1.228423. A curve of slope -1 carries both over to times one to one.
 TEST(Convergence, uncertainty_of_errors_and_of_times_is_in_that_of_the_time_to_a_target) {
   Convergence curve = exact_curve();
-  for (CurvePoint& p : curve.points) p.seconds.interval = Interval{p.seconds.value / 1.2, p.seconds.value * 1.2};
+  for (ConvergencePoint& p : curve.points) p.seconds.interval = Interval{p.seconds.value / 1.2, p.seconds.value * 1.2};
   curve.targets = {{0.008}};
   conclude(curve);
   EXPECT_NEAR(curve.targets[0].seconds->interval->low, 2.5 / 1.228423, 1e-5);
   EXPECT_NEAR(curve.targets[0].seconds->interval->high, 2.5 * 1.228423, 1e-5);
   EXPECT_NEAR(curve.efficiency->interval->low, 50 / 1.228423, 1e-4);
   EXPECT_NEAR(curve.efficiency->interval->high, 50 * 1.228423, 1e-4);
-  for (CurvePoint& p : curve.points) p.seconds.interval.reset();
+  for (ConvergencePoint& p : curve.points) p.seconds.interval.reset();
   conclude(curve);
   EXPECT_FALSE(curve.targets[0].seconds->interval);
   EXPECT_FALSE(curve.efficiency->interval);
@@ -131,7 +131,7 @@ TEST(Convergence, uncertainty_of_errors_and_of_times_is_in_that_of_the_time_to_a
 // 1 / (relmse s): the error's upper end gives the efficiency's lower end.
 TEST(Convergence, ends_of_the_efficiency_are_those_of_the_error_turned_round) {
   Convergence curve = exact_curve();
-  for (CurvePoint& p : curve.points) p.relmse->interval = Interval{p.relmse->value / 1.1, p.relmse->value * 1.3};
+  for (ConvergencePoint& p : curve.points) p.relmse->interval = Interval{p.relmse->value / 1.1, p.relmse->value * 1.3};
   conclude(curve);
   EXPECT_NEAR(curve.efficiency->interval->low, 50 / 1.3, 1e-9);
   EXPECT_NEAR(curve.efficiency->interval->high, 50 * 1.1, 1e-9);
@@ -162,7 +162,7 @@ TEST(Convergence, slope_that_is_not_known_to_one_is_undefined) {
 
 TEST(Convergence, error_that_is_rounding_or_the_references_has_no_efficiency) {
   Convergence curve = exact_curve();
-  for (CurvePoint& p : curve.points) p.undefined[own_error_key] = "it is rounding";
+  for (ConvergencePoint& p : curve.points) p.undefined[own_error_key] = "it is rounding";
   conclude(curve);
   EXPECT_FALSE(curve.efficiency);
   EXPECT_EQ(curve.undefined.at("efficiency"), "error: it is rounding");
@@ -202,7 +202,7 @@ TEST_F(ConvergenceOfImages, cells_become_curves_by_engine_and_kind_of_budget) {
   ASSERT_EQ(curves.size(), 3u);
   EXPECT_EQ(curves[0].engine, "path");
   ASSERT_EQ(curves[0].points.size(), 2u);
-  const CurvePoint& four = curves[0].points[0];
+  const ConvergencePoint& four = curves[0].points[0];
   EXPECT_EQ(four.budget, (Budget{"spp", 4}));
   EXPECT_EQ(four.seeds, 2);
   EXPECT_NEAR(four.relmse->value, (0.04 + 0.16) / 2, 1e-7);
@@ -239,7 +239,7 @@ TEST_F(ConvergenceOfImages, bias_that_is_not_seen_is_a_bound_and_no_negative_squ
 
 TEST_F(ConvergenceOfImages, of_one_seed_neither_bias_nor_variance_is_known_and_the_record_says_why) {
   add({"s", "path", {"spp", 4}, 1}, 0.02f, 1);
-  const CurvePoint one = convergence_of(results_, folder_, {})[0].points[0];
+  const ConvergencePoint one = convergence_of(results_, folder_, {})[0].points[0];
   EXPECT_EQ(one.undefined, (Reasons{{"bias2", "one seed"}, {"variance", "one seed"}}));
 }
 
@@ -252,12 +252,12 @@ TEST_F(ConvergenceOfImages, image_that_two_seeds_gave_counts_once) {
     record.sentence = std::to_string(images.size());
     return record;
   };
-  const CurvePoint point = convergence_of(results_, folder_, {}, judge)[0].points[0];
+  const ConvergencePoint point = convergence_of(results_, folder_, {}, judge)[0].points[0];
   EXPECT_NEAR(point.relmse->value, 0.56 / 3, 1e-7);
   EXPECT_EQ(point.correctness->sentence, "3");
   results_.results.resize(1);
   for (seed = 1; seed < 4; ++seed) add({"s", "path", {"spp", 4}, seed}, 0.04f, 1);
-  const CurvePoint same = convergence_of(results_, folder_, {}, judge)[0].points[0];
+  const ConvergencePoint same = convergence_of(results_, folder_, {}, judge)[0].points[0];
   EXPECT_FALSE(same.relmse->interval);
   EXPECT_EQ(same.undefined.at("bias2"), "one image for all seeds");
   EXPECT_EQ(same.correctness->sentence, "3") << "the judge knows what it means that all are the same";

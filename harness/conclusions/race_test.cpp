@@ -14,7 +14,7 @@ Convergence curve(const std::string& engine, const std::vector<std::pair<double,
   out.scene = "s";
   out.engine = engine;
   for (const auto& [seconds, relmse] : points) {
-    CurvePoint point;
+    ConvergencePoint point;
     point.seconds.value = seconds;
     point.relmse = Estimate{relmse, {}};
     out.points.push_back(point);

@@ -1,4 +1,4 @@
-// Departures of Mitsuba's `direct` that depend on its numbers of samples (docs/formats/scene.md, where Mitsuba departs).
+// Departures of the `direct` of Mitsuba by its numbers of samples (docs/formats/scene.md, where Mitsuba departs).
 #pragma once
 
 #include <optional>

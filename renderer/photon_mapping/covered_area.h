@@ -4,11 +4,11 @@
 
 #include <vector>
 
+#include "renderer/areas/footprint.h"
 #include "renderer/kernels/tasks.h"
 #include "renderer/photons/surface_side.h"
 #include "renderer/scene/scene_parts.h"
 #include "renderer/scene/surface_detail.h"
-#include "renderer/areas/footprint.h"
 
 namespace photonproof::inline renderer_photon_mapping {
 

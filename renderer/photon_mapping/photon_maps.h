@@ -106,7 +106,8 @@ struct PhotonMaps {
 
   /// Selects the maps that the plan wants, and their numbers of photons.
   PhotonMaps(const RenderPlan& plan, const PhotonSource& source);
-  /// Sets the radii of the wanted maps, once. Where the settings leave a radius open, a pilot run of photons measures it.
+  /// Sets the radii of the wanted maps, once. Where the settings leave a radius open, a pilot run of photons measures
+  /// it.
   void choose_first_radii(const PhotonSource& source, RenderStats& stats);
 
   /// The wanted maps, in the order in which their light is added.

@@ -6,7 +6,8 @@
 
 namespace photonproof::inline renderer_shapes {
 
-/// `frame` as in shape.h; meshes and curves need none. `triangle`: a mesh's, or a curve's segment. `normal`: the geometric one.
+/// `frame` as in shape.h; meshes and curves need none. `triangle`: a mesh's, or a curve's segment. `normal`: the
+/// geometric one.
 LocalGeometry local_geometry(const Surface& surface, const AffineMap* frame, std::uint32_t triangle, const Vec3f& p,
                              const Vec3f& normal);
 

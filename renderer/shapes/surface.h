@@ -1,5 +1,5 @@
-// The surfaces that rays meet. Parallelograms (rectangles, faces of cubes), spheres, discs, cylinders, planes, curves and
-// zeros of signed distances are themselves. Meshes may also be copies placed by a transform.
+// The surfaces that rays meet. Parallelograms (rectangles, faces of cubes), spheres, discs, cylinders, planes, curves
+// and zeros of signed distances are themselves. Meshes may also be copies placed by a transform.
 #pragma once
 
 #include <cstdint>

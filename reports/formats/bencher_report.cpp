@@ -37,7 +37,7 @@ std::string name_of(const std::string& text) { return reports::shortened(reports
 bool has_curve(const Results& results, const Cell& cell) {
   for (const Convergence& curve : results.convergence) {
     if (curve.scene == cell.scene && curve.engine == cell.engine) {
-      for (const CurvePoint& point : curve.points) {
+      for (const ConvergencePoint& point : curve.points) {
         if (point.budget == cell.budget) return true;
       }
     }
@@ -58,7 +58,7 @@ json cell_measures(const Result& result) {
 
 void add_curve(json& all, const Convergence& curve) {
   const std::string prefix = curve.scene + "/" + curve.engine;
-  for (const CurvePoint& point : curve.points) {
+  for (const ConvergencePoint& point : curve.points) {
     json& benchmark = all[name_of(prefix + "/" + point.budget.label())];
     benchmark["seconds"] = measure(point.seconds);
     set(benchmark, "relmse", point.relmse);

@@ -93,7 +93,7 @@ void add_target(Table& table, Subject subject, const TargetTime& target) {
 
 void add_curve_rows(Table& table, const Convergence& curve) {
   Subject subject{"curve", "", curve.scene, curve.engine, "", "", "", "", ""};
-  for (const CurvePoint& point : curve.points) {
+  for (const ConvergencePoint& point : curve.points) {
     subject.budget_kind = point.budget.kind;
     subject.budget = point.budget.amount_text();
     table.add(subject, "seconds", point.seconds);

@@ -139,7 +139,7 @@ class Writer {
     std::string text =
         plain_table(slopes_table(scene.curves), 1) + plain_table(points_table(scene.curves, doubt_mark(scene)), 1);
     for (const Convergence* curve : scene.curves)
-      for (const CurvePoint& point : curve->points)
+      for (const ConvergencePoint& point : curve->points)
         if (point.correctness)
           text += "* " +
                   markdown_text(curve->engine + ", " + budget_text(point.budget) + ": " +

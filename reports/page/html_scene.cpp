@@ -43,7 +43,7 @@ data shown_data(const fs::path& folder, const std::string& file, const std::stri
   return out;
 }
 
-data correctness_data(const Convergence& curve, const CurvePoint& point) {
+data correctness_data(const Convergence& curve, const ConvergencePoint& point) {
   data out;
   set_correctness(out, *point.correctness);
   out.set("of", printable(curve.engine + ", " + budget_text(point.budget)));
@@ -109,7 +109,7 @@ void set_curves(data& out, const View& view, const SceneView& scene) {
   out.set("points", table_data(points_table(scene.curves, doubt_mark(scene)), 4));
   data verdicts(data::type::list);
   for (const Convergence* curve : scene.curves)
-    for (const CurvePoint& point : curve->points)
+    for (const ConvergencePoint& point : curve->points)
       if (point.correctness) verdicts.push_back(correctness_data(*curve, point));
   out.set("has_correctness_list", verdicts.is_non_empty_list());
   out.set("correctness_list", verdicts);

@@ -27,7 +27,7 @@ ErrorPlot plot_of_curves(const View& view, const SceneView& scene) {
     for (const TargetTime& target : curve->targets)
       if (drawable(target.relmse)) plot.targets.push_back(target.relmse);
     PlotSeries series{engine_index(view, curve->engine), {}};
-    for (const CurvePoint& point : curve->points) {
+    for (const ConvergencePoint& point : curve->points) {
       if (!drawable(point.seconds.value) || !point.relmse || !drawable(point.relmse->value)) {
         ++plot.left_out;
         continue;

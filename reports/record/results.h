@@ -158,7 +158,7 @@ std::optional<Clock> clock_from_string(const std::string& name);
 std::optional<double> seconds_by(Clock clock, const Result& result);
 
 /// One budget of an engine on a scene, over its seeds.
-struct CurvePoint {
+struct ConvergencePoint {
   Budget budget;
   int seeds = 0;                     ///< finished cells
   Estimate seconds;                  ///< median, by the curve's clock
@@ -167,7 +167,7 @@ struct CurvePoint {
   std::optional<Estimate> variance;  ///< relative, of one image; needs two seeds
   std::optional<CorrectnessRecord> correctness{};
   Reasons undefined{};
-  friend bool operator==(const CurvePoint&, const CurvePoint&) = default;
+  friend bool operator==(const ConvergencePoint&, const ConvergencePoint&) = default;
 };
 
 /// The time at which an engine's error falls to a target of the suite.
@@ -185,10 +185,10 @@ struct TargetTime {
 struct Convergence {
   std::string scene, engine;
   Clock clock = Clock::wall;
-  std::vector<CurvePoint> points;      ///< of one kind of budget, ascending
-  std::optional<Estimate> slope;       ///< least squares of log relmse on log seconds
-  std::optional<Estimate> efficiency;  ///< 1/(relmse seconds) at the largest budget
-  std::vector<TargetTime> targets{};   ///< the suite's targets for the scene
+  std::vector<ConvergencePoint> points;  ///< of one kind of budget, ascending
+  std::optional<Estimate> slope;         ///< least squares of log relmse on log seconds
+  std::optional<Estimate> efficiency;    ///< 1/(relmse seconds) at the largest budget
+  std::vector<TargetTime> targets{};     ///< the suite's targets for the scene
   std::vector<std::string> caveats;
   Reasons undefined{};
   friend bool operator==(const Convergence&, const Convergence&) = default;

@@ -154,7 +154,7 @@ void describe(V& v, CorrectnessRecord& r) {
 }
 
 template <class V>
-void describe(V& v, CurvePoint& r) {
+void describe(V& v, ConvergencePoint& r) {
   v.record("point");
   v.field("budget", r.budget);
   v.field("seeds", r.seeds, {.least = 0});

@@ -86,7 +86,7 @@ Results example_with_conclusions() {
   results.scenes[0].reference = ReferenceRecord{"box.exr", "reference.exr", "reference.png", {{"samples", "4096"}}};
   results.scenes[0].hdr_exposures = ExposureRange{-2.5, 3, 6};
 
-  CurvePoint point;
+  ConvergencePoint point;
   point.budget = {"spp", 4};
   point.seeds = 3;
   point.seconds = {0.25, Interval{0.1, 0.5}};

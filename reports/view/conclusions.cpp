@@ -30,7 +30,7 @@ std::string estimate_text(const std::optional<Estimate>& estimate, const Reasons
   return fmt::format("{} ({})", undefined_number, why->second);
 }
 
-std::string why_no_interval(const CurvePoint& point) {
+std::string why_no_interval(const ConvergencePoint& point) {
   const auto why = point.undefined.find("relmse_interval");
   return why == point.undefined.end() ? "" : " (" + why->second + ")";
 }
@@ -41,7 +41,7 @@ PlainTable points_table(const std::vector<const Convergence*>& curves, const std
                     "relMSE", "bias²", "variance"},
                    {}};
   for (const Convergence* curve : curves) {
-    for (const CurvePoint& point : curve->points) {
+    for (const ConvergencePoint& point : curve->points) {
       table.rows.push_back({curve->engine, budget_text(point.budget), std::to_string(point.seeds),
                             or_dash(point.correctness, verdict_text), estimate_text(point.seconds),
                             estimate_text(point.relmse) + mark + why_no_interval(point),

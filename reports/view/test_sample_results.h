@@ -78,8 +78,10 @@ inline Convergence sample_curve() {
   Convergence curve;
   curve.scene = "box";
   curve.engine = "photon";
-  CurvePoint early{{"photons", 2000}, 3, {1.25, Interval{1.2, 1.5}}, Estimate{0.05, Interval{0.04, 0.0625}}, {}, {}};
-  CurvePoint late{{"photons", 20000}, 3, {4.5, {}}, Estimate{0.0125, Interval{0.01, 0.02}}, {}, Estimate{0.0126, {}}};
+  ConvergencePoint early{
+      {"photons", 2000}, 3, {1.25, Interval{1.2, 1.5}}, Estimate{0.05, Interval{0.04, 0.0625}}, {}, {}};
+  ConvergencePoint late{{"photons", 20000},  3, {4.5, {}}, Estimate{0.0125, Interval{0.01, 0.02}}, {},
+                        Estimate{0.0126, {}}};
   early.undefined = {{"bias2", "an image is missing"}, {"variance", "an image is missing"}};
   late.undefined = {{"bias2", "none seen above 0.0005"}};
   early.correctness = CorrectnessRecord{Correctness::noisy,

@@ -101,7 +101,7 @@ std::string status_text(Status status) { return status == Status::ok ? "finished
 const CorrectnessRecord* correctness_of(const SceneView& scene, const Cell& cell) {
   for (const Convergence* curve : scene.curves) {
     if (curve->engine != cell.engine) continue;
-    for (const CurvePoint& point : curve->points)
+    for (const ConvergencePoint& point : curve->points)
       if (point.budget == cell.budget && point.correctness) return &*point.correctness;
   }
   return nullptr;

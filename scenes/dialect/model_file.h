@@ -17,7 +17,7 @@ bool is_model(const std::filesystem::path& file);
 struct ModelScene {
   std::string text;  ///< names files in `folder`
   std::filesystem::path folder;
-  std::vector<SceneNote> notes;  ///< what was supplied, left out or rendered as something else
+  std::vector<SceneNote> notes;         ///< what was supplied, left out or rendered as something else
   std::vector<std::string> included{};  ///< other texts that were read
 };
 

@@ -60,7 +60,7 @@ struct Hoop {
 };
 
 /// Frames that do not turn about the curve; those of a loop turn evenly so that the last one meets the first.
-std::vector<Hoop> hoops_along(const std::vector<CurvePoint>& curve, const std::vector<double>& radii, Ends ends) {
+std::vector<Hoop> hoops_along(const std::vector<TubePoint>& curve, const std::vector<double>& radii, Ends ends) {
   std::vector<Hoop> hoops;
   const Vec3d first = curve[0].tangent;
   const Vec3d away = std::abs(first.y) < 0.9 ? Vec3d{0, 1, 0} : Vec3d{1, 0, 0};
@@ -84,7 +84,7 @@ std::vector<Hoop> hoops_along(const std::vector<CurvePoint>& curve, const std::v
 
 constexpr int kRoundings = 4;  ///< hoops of a round end, its tip among them
 
-std::vector<Hoop> rounded(const std::vector<CurvePoint>& curve, const std::vector<Hoop>& hoops) {
+std::vector<Hoop> rounded(const std::vector<TubePoint>& curve, const std::vector<Hoop>& hoops) {
   std::vector<Hoop> all;
   const auto add_end = [&](const Hoop& end, const Vec3d& outward, int step) {
     const double angle = pi / 2 * step / kRoundings;
@@ -99,7 +99,7 @@ std::vector<Hoop> rounded(const std::vector<CurvePoint>& curve, const std::vecto
 
 }  // namespace
 
-std::vector<CurvePoint> smooth_curve(const std::vector<Vec3d>& controls, int per_span, Ends ends) {
+std::vector<TubePoint> smooth_curve(const std::vector<Vec3d>& controls, int per_span, Ends ends) {
   const std::size_t count = controls.size(), spans = ends == Ends::loop ? count : count - 1;
   const auto control = [&](std::ptrdiff_t i) {
     const auto n = static_cast<std::ptrdiff_t>(count);
@@ -114,7 +114,7 @@ std::vector<CurvePoint> smooth_curve(const std::vector<Vec3d>& controls, int per
     return spline_point(control(i - 1), control(i), control(i + 1), control(i + 2), u);
   };
   constexpr double near = 1e-4;  // of a span, for its derivative
-  std::vector<CurvePoint> curve;
+  std::vector<TubePoint> curve;
   for (std::size_t span = 0; span < spans; ++span)
     for (int k = 0; k < per_span; ++k) {
       const double u = static_cast<double>(k) / per_span;
@@ -128,7 +128,7 @@ std::vector<CurvePoint> smooth_curve(const std::vector<Vec3d>& controls, int per
   return curve;
 }
 
-TriangleMesh lathe(const std::vector<CurvePoint>& profile, Ends ends, std::uint32_t segments) {
+TriangleMesh lathe(const std::vector<TubePoint>& profile, Ends ends, std::uint32_t segments) {
   std::vector<std::uint32_t> firsts;
   std::vector<Vec3d> positions;
   TriangleMesh mesh;
@@ -151,7 +151,7 @@ TriangleMesh lathe(const std::vector<CurvePoint>& profile, Ends ends, std::uint3
   return mesh;
 }
 
-TriangleMesh tube(const std::vector<CurvePoint>& curve, const std::vector<double>& radii, Ends ends,
+TriangleMesh tube(const std::vector<TubePoint>& curve, const std::vector<double>& radii, Ends ends,
                   std::uint32_t segments) {
   std::vector<Hoop> hoops = hoops_along(curve, radii, ends);
   if (ends != Ends::loop) hoops = rounded(curve, hoops);
@@ -178,7 +178,7 @@ TriangleMesh tube(const std::vector<CurvePoint>& curve, const std::vector<double
 }
 
 TriangleMesh torus(double major, double minor, std::uint32_t around, std::uint32_t across) {
-  std::vector<CurvePoint> circle;
+  std::vector<TubePoint> circle;
   for (std::uint32_t i = 0; i < across; ++i) {
     const double angle = 2 * pi * i / across, c = std::cos(angle), s = std::sin(angle);
     circle.push_back({{major + minor * c, minor * s, 0}, {-s, c, 0}});

@@ -15,23 +15,23 @@ enum class Ends {
   loop,  ///< the last control point is joined to the first
 };
 
-struct CurvePoint {
+struct TubePoint {
   Vec3d at;
   Vec3d tangent;  ///< unit length
 };
 
 /// A curve through all `controls`, `per_span` points from each to the next. A loop does not repeat its first point.
 /// Precondition: at least three controls, neighbours differ; with Ends::axis the first and the last have x = 0.
-std::vector<CurvePoint> smooth_curve(const std::vector<Vec3d>& controls, int per_span, Ends ends);
+std::vector<TubePoint> smooth_curve(const std::vector<Vec3d>& controls, int per_span, Ends ends);
 
 /// The profile, x its radius and y its height, turned about the y axis. Its right side becomes the front: a profile
 /// that goes up the outside of a body and down its inside bounds it. Normals are the profile's own. A point with x = 0
 /// becomes one vertex, any other `segments` of them, without a seam. Precondition: at least 3 segments; only the first
 /// and the last point have x = 0.
-TriangleMesh lathe(const std::vector<CurvePoint>& profile, Ends ends, std::uint32_t segments);
+TriangleMesh lathe(const std::vector<TubePoint>& profile, Ends ends, std::uint32_t segments);
 
 /// A tube about the curve, one radius a point, facing outward, with round ends where it is no loop.
-TriangleMesh tube(const std::vector<CurvePoint>& curve, const std::vector<double>& radii, Ends ends,
+TriangleMesh tube(const std::vector<TubePoint>& curve, const std::vector<double>& radii, Ends ends,
                   std::uint32_t segments);
 
 /// A ring in the plane y = 0: a circle of radius `minor` turned about the y axis at distance `major`.

@@ -44,8 +44,8 @@ void expect_smooth_normals(const TriangleMesh& mesh, double degrees) {
       EXPECT_GT(dot(normalize(normal_of(mesh, triangle)), Vec3d(mesh.normals[corner])), std::cos(degrees * pi / 180));
 }
 
-std::vector<CurvePoint> half_circle(double radius, int steps) {
-  std::vector<CurvePoint> profile;
+std::vector<TubePoint> half_circle(double radius, int steps) {
+  std::vector<TubePoint> profile;
   for (int i = 0; i <= steps; ++i) {
     const double angle = pi * i / steps - pi / 2;
     const bool pole = i == 0 || i == steps;
@@ -77,7 +77,7 @@ TEST(lathe, sphere_has_the_area_and_the_volume_of_a_sphere) {
 }
 
 TEST(lathe, faces_are_the_trapezoids_between_two_circles) {
-  const std::vector<CurvePoint> cone = {{{2, 0, 0}, {0, 1, 0}}, {{1, 3, 0}, {0, 1, 0}}};
+  const std::vector<TubePoint> cone = {{{2, 0, 0}, {0, 1, 0}}, {{1, 3, 0}, {0, 1, 0}}};
   for (const std::uint32_t n : {3u, 4u, 7u}) {
     const TriangleMesh mesh = lathe(cone, Ends::open, n);
     // Parallel sides 2 r sin(pi / n), distances from the axis r cos(pi / n).
@@ -123,7 +123,7 @@ TEST(smooth_curve, passes_its_controls_and_stays_smooth) {
 
 TEST(tube, has_round_ends_and_the_volume_of_a_capsule) {
   const double r = 0.25, l = 3;
-  std::vector<CurvePoint> line;
+  std::vector<TubePoint> line;
   for (int i = 0; i <= 8; ++i) line.push_back({{0, l * i / 8, 0}, {0, 1, 0}});
   const TriangleMesh mesh = tube(line, std::vector<double>(line.size(), r), Ends::open, 64);
   EXPECT_EQ(euler_characteristic(mesh), 2);

@@ -6,12 +6,9 @@
 #include <filesystem>
 #include <random>
 
-#include "scenes/files/atomic_file.h"
-#include "scenes/files/scratch_folder.h"
-#include "scenes/meshes/obj.h"
-#include "scenes/meshes/ply.h"
 #include "scenes/parser/parser.h"
 #include "scenes/parser/test_same_scene.h"
+#include "scenes/xml/test_named_files.h"
 
 namespace photonproof::inline scenes_xml {
 namespace {
@@ -38,50 +35,11 @@ TEST(writer, gives_back_every_library_scene) {
   }
 }
 
-/// A folder with a file of every kind that scenes name.
-class Files {
- public:
-  Files() {
-    const fs::path corpora = PHOTONPROOF_CORPORA;
-    fs::copy(corpora / "ply_corpus/ascii_quad.ply", folder_ / "a.ply");
-    fs::copy(corpora / "obj_corpus/quad.obj", folder_ / "a.obj");
-    fs::copy(corpora / "ies_corpus/rotational.ies", folder_ / "a.ies");
-    Image grey(2, 2);
-    std::fill(grey.rgb.begin(), grey.rgb.end(), 0.5f);
-    write_exr((folder_ / "a.exr").string(), {grey, {}, {}});
-    fs::copy(corpora / "vol_corpus/00", folder_ / "a.vol");
-    grid = std::make_shared<const VolumeGrid>(parse_vol(read_file(folder_ / "a.vol"), "a.vol"));
-    fs::copy(corpora / "curve_set_corpus/bspline", folder_ / "a.txt");
-    curves = std::make_shared<const CurveSet>(parse_curves(read_file(folder_ / "a.txt"), "a.txt", 4));
-    std::string slope("VOL\x03\x01\0\0\0\x02\0\0\0\x02\0\0\0\x02\0\0\0\x01\0\0\0", 24);
-    for (const float word : {0.f, 0.f, 0.f, 1.f, 1.f, 1.f, -1.f, -1.f, -1.f, -1.f, 1.f, 1.f, 1.f, 1.f})
-      slope.append(reinterpret_cast<const char*>(&word), sizeof word);
-    write_file_atomically(folder_ / "b.vol", slope);
-    distances = std::make_shared<const VolumeGrid>(parse_vol(slope, "b.vol", VolValues::any));
-    mesh_of_ply = std::make_shared<const TriangleMesh>(read_ply((folder_ / "a.ply").string()));
-    mesh_of_obj = std::make_shared<const TriangleMesh>(read_obj((folder_ / "a.obj").string()));
-    profile = std::make_shared<const IesProfile>(read_ies((folder_ / "a.ies").string()));
-    image = std::make_shared<const Image>(grey);
-  }
-
-  std::string scene() const { return (folder_ / "scene.xml").string(); }
-
-  std::shared_ptr<const TriangleMesh> mesh_of_ply, mesh_of_obj;
-  std::shared_ptr<const IesProfile> profile;
-  std::shared_ptr<const Image> image;
-  std::shared_ptr<const VolumeGrid> grid, distances;
-  std::shared_ptr<const CurveSet> curves;
-
- private:
-  const ScratchFolder scratch_{"writer-test"};
-  const fs::path& folder_ = scratch_.path();
-};
-
 /// Random but valid scenes in the parser's canonical form: objects with an id first, then the others in the order of
 /// their use.
 class RandomScene {
  public:
-  RandomScene(unsigned seed, const Files& files) : files_(files), random_(seed) {}
+  RandomScene(unsigned seed, const NamedFiles& files) : files_(files), random_(seed) {}
 
   SceneDescription make() {
     for (std::size_t i = pick(3); i > 0; --i)
@@ -303,6 +261,13 @@ class RandomScene {
     return {static_cast<std::uint32_t>(scene_.media.size() - 1)};
   }
 
+  HeightfieldDescription heightfield() {
+    HeightfieldDescription field{1 + static_cast<int>(pick(4000)), 1 + static_cast<int>(pick(4000)), number(), coin(),
+                                 HeightfieldNoise{unit(), 2 * unit(), 5, 4294967295u}};
+    if (coin()) field.height = texture();
+    return field;
+  }
+
   ShapeDescription shape(const std::string& id, bool in_scene) {
     ShapeDescription result;
     result.id = id;
@@ -334,13 +299,9 @@ class RandomScene {
         result.geometry = PlaneDescription{};
         emits = false;
         break;
-      case 6: {
-        HeightfieldDescription field{1 + static_cast<int>(pick(4000)), 1 + static_cast<int>(pick(4000)), number(),
-                                     coin(), HeightfieldNoise{unit(), 2 * unit(), 5, 4294967295u}};
-        if (coin()) field.height = texture();
-        result.geometry = field;
+      case 6:
+        result.geometry = heightfield();
         break;
-      }
       case 7:
         result.geometry = CubeDescription{};
         result.to_world = any();
@@ -481,7 +442,7 @@ class RandomScene {
     }
   }
 
-  const Files& files_;
+  const NamedFiles& files_;
   std::mt19937 random_;
   SceneDescription scene_;
   std::vector<TextureIndex> named_textures_;
@@ -491,7 +452,7 @@ class RandomScene {
 };
 
 TEST(writer, gives_back_random_scenes) {
-  const Files files;
+  const NamedFiles files;
   for (unsigned seed = 0; seed < 1000 && !::testing::Test::HasFailure(); ++seed) {
     const SceneDescription scene = RandomScene(seed, files).make();
     const std::string text = write_scene(scene);
