@@ -242,7 +242,7 @@ TEST_F(CompareVerb, metrics_that_are_named_are_computed_alone_with_those_that_ha
 
 TEST_F(CompareVerb, hdr_flip_is_computed_for_a_bound_or_by_name) {
   const std::string ref = reference(), test = darker();
-  EXPECT_EQ(compare({ref, test}).out.find("hdr_flip"), std::string::npos);
+  EXPECT_EQ(compare({ref, test}).out.find("\nhdr_flip"), std::string::npos);
   EXPECT_NE(compare({ref, test, "--hdr-flip"}).out.find("\nhdr_flip "), std::string::npos);
   EXPECT_NE(compare({ref, test, "--metrics", "hdr_flip"}).out.find("\nhdr_flip "), std::string::npos);
   EXPECT_NE(compare({ref, test, "--metrics", "mse", "--hdr-flip"}).out.find("\nhdr_flip "), std::string::npos);

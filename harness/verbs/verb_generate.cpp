@@ -109,15 +109,14 @@ void add_folder_options(CLI::App& verb, GenerateArguments& arguments) {
 }  // namespace
 
 void add_generate_verb(CLI::App& program, int& exit_code) {
-  CLI::App* verb = add_verb(
-      program,
-      {.name = "generate",
-       .group = render_group,
-       .purpose = "Write a scene, or files of the scene library, that are computed and not stored",
-       .examples = {"photonproof generate million --triangles 1e6 -o million",
-                    "photonproof generate many-lights --lights 1000 -o many-lights",
-                    "photonproof generate assets -o assets", "photonproof generate showcase --detail 10 -o showcase"},
-       .exit_codes = {done, bad_input, internal_error}});
+  CLI::App* verb =
+      add_verb(program, {.name = "generate",
+                         .group = render_group,
+                         .purpose = "Write a scene, or files of the scene library, that are computed and not stored",
+                         .examples = {"photonproof generate million --triangles 1e6 -o million",
+                                      "photonproof generate many-lights --lights 1000 -o many-lights",
+                                      "photonproof generate showcase --detail 10 -o showcase"},
+                         .exit_codes = {done, bad_input, internal_error}});
   verb->require_subcommand(1);
   auto arguments = std::make_shared<GenerateArguments>();
   CLI::App* million = verb->add_subcommand("million", "A landscape of as many triangles as asked for");

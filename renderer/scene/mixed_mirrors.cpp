@@ -12,7 +12,7 @@ void with_record(std::uint32_t kind, const float* words, const Visit& visit) {
   BsdfKinds::for_each([&]<template <class> class Kind>(std::uint32_t index) {
     if (index != kind) return;
     Kind<float> record;
-    std::memcpy(&record, words, sizeof record);
+    std::memcpy(static_cast<void*>(&record), words, sizeof record);
     visit(record);
   });
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <variant>
 #include <vector>
 
 #include "renderer/scene/scene_focus.h"
@@ -96,6 +97,16 @@ Extent ShapeExtents::of(const ShapeDescription& shape) const {
 
 namespace {
 
+bool has_curves(const SceneDescription& description) {
+  const auto is_curves = [](const ShapeDescription& shape) {
+    return std::holds_alternative<CurvesDescription>(shape.geometry);
+  };
+  return std::ranges::any_of(description.shapes, is_curves) ||
+         std::ranges::any_of(description.groups, [&](const ShapeGroupDescription& group) {
+           return std::ranges::any_of(group.shapes, is_curves);
+         });
+}
+
 SceneFrame frame_of_focus(const SceneDescription& description) {
   SceneFrame frame = frame_of_middles(description);
   const std::optional<SceneFocus> focus = scene_focus(description);
@@ -110,7 +121,8 @@ SceneFrame frame_of_focus(const SceneDescription& description) {
   }
   frame.coordinate_floor = std::max(frame.coordinate_floor, static_cast<float>(part_of_focus * focus->size));
   if (!has_fault(NumericFault::float_faces)) frame.long_edge = long_in_floors * double{frame.coordinate_floor};
-  const bool is_ordinary = focus->size >= 1 / ordinary_size && focus->size <= ordinary_size;
+  const double ordinary = has_curves(description) ? ordinary_size_with_curves : ordinary_size;
+  const bool is_ordinary = focus->size >= 1 / ordinary && focus->size <= ordinary;
   if (is_ordinary || has_fault(NumericFault::no_rescaling)) return frame;
   frame.scale = power_of_two_below(1 / focus->size);
   frame.moved = Vec3d(Vec3f(frame.moved * frame.scale));

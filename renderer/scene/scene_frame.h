@@ -25,6 +25,7 @@ class ShapeExtents {
 
 /// Sizes from the inverse of this up to this are not rescaled.
 inline constexpr double ordinary_size = 0x1p22;
+inline constexpr double ordinary_size_with_curves = 0x1p4;  ///< Embree's tolerances of curves are lengths, not shares
 /// The greatest power of two that is not above x > 0.
 double power_of_two_below(double x);
 

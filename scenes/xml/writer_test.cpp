@@ -268,6 +268,12 @@ class RandomScene {
     return field;
   }
 
+  MeshDescription mesh() {
+    using Format = MeshDescription::Format;
+    if (coin()) return {Format::ply, "a.ply", coin(), coin(), files_.mesh_of_ply};
+    return {Format::obj, "a.obj", coin(), coin(), files_.mesh_of_obj};
+  }
+
   ShapeDescription shape(const std::string& id, bool in_scene) {
     ShapeDescription result;
     result.id = id;
@@ -281,14 +287,10 @@ class RandomScene {
         result.geometry = RectangleDescription{};
         result.to_world = stretched();
         break;
-      case 2: {
-        const bool ply = coin();
-        result.geometry =
-            MeshDescription{ply ? MeshDescription::Format::ply : MeshDescription::Format::obj, ply ? "a.ply" : "a.obj",
-                            coin(), coin(), ply ? files_.mesh_of_ply : files_.mesh_of_obj};
+      case 2:
+        result.geometry = mesh();
         result.to_world = stretched();
         break;
-      }
       case 3:
         result.geometry = DiskDescription{};
         break;

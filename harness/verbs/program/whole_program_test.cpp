@@ -173,8 +173,9 @@ TEST_F(WholeProgram, hints_at_an_unknown_option_before_what_is_missing_because_o
 
 TEST_F(WholeProgram, says_in_one_line_what_is_missing) {
   EXPECT_EQ(complaint({}), "expected a verb; photonproof --help lists all");
-  EXPECT_EQ(complaint({"generate"}),
-            "photonproof generate: expected million, many-lights or assets; photonproof generate --help lists all");
+  EXPECT_EQ(
+      complaint({"generate"}),
+      "photonproof generate: expected million, many-lights, assets or showcase; photonproof generate --help lists all");
   EXPECT_EQ(complaint({"povray", scene}), "--output is required; photonproof povray --help lists all options");
 }
 
