@@ -20,7 +20,7 @@ inline const std::string kCamera =
 template <class Write>
 std::string refusal_by(const Write& write, const std::string& content, const std::string& camera) {
   const SceneDescription scene =
-      parse_scene_text("<scene version='3.0.0'>" + camera + content + "</scene>", kScene, {.allow_outside = true});
+      parse_scene_text("<scene version='3.0.0'>" + camera + content + "</scene>", kScene, {{}, true});
   try {
     write(scene);
     return "no refusal";
