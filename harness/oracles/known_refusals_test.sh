@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
-# Compares the scenes of a generator that do not load with the list of those that are known not to.
+# Compares the scenes of a generator that do not load with a list of known ones.
 #   harness/oracles/known_refusals_test.sh PROGRAM GENERATOR FOLDER
-# GENERATOR is old_scenes or new_scenes, its list GENERATOR_refused.txt. A line of a list is a file and, after a space, why
-# it is refused.
+# GENERATOR is old_scenes or new_scenes. The list is GENERATOR_refused.txt. Each line has a file and, after a space, the
+# reason.
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 list=$here/$2_refused.txt

@@ -265,3 +265,12 @@ def write_files(folder):
               (("part_x", "part_y", "part_z", "dust_1"), lambda: [draw.random() for _ in range(4)]))
     (folder / "part.xml").write_text('<scene version="3.0.0">' + ball(bsdf("diffuse", rgb("reflectance", "0.2,0.8,0.1"))) +
                                      "</scene>\n")
+
+
+def write_scenes(folder, scenes):
+    """(name, text) each, a file each; prints their number."""
+    written = 0
+    for name, text in scenes:
+        (folder / f"{name}.xml").write_text(text)
+        written += 1
+    print(f"{folder}: {written} scenes")

@@ -450,12 +450,7 @@ def main():
     folder = Path(sys.argv[1])
     folder.mkdir(parents=True, exist_ok=True)
     write_files(folder)
-    written = 0
-    for scenes in (plugin_scenes, writing_scenes, reference_scenes):
-        for name, text in scenes():
-            (folder / f"{name}.xml").write_text(text)
-            written += 1
-    print(f"{folder}: {written} scenes")
+    parts.write_scenes(folder, (s for scenes in (plugin_scenes, writing_scenes, reference_scenes) for s in scenes()))
 
 
 main()

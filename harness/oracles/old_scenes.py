@@ -10,7 +10,7 @@ from pathlib import Path
 
 from mitsuba_scene_parts import boolean as flag
 from mitsuba_scene_parts import integer as whole
-from mitsuba_scene_parts import number, value, write_obj, write_ply, write_png, write_serialized
+from mitsuba_scene_parts import number, value, write_obj, write_ply, write_png, write_scenes, write_serialized
 from mitsuba_scene_parts import string as word
 
 
@@ -189,13 +189,8 @@ def main():
     folder = Path(sys.argv[1])
     folder.mkdir(parents=True, exist_ok=True)
     write_files(folder)
-    written = 0
-    for kind, plugins in PLUGINS.items():
-        for name, contents in plugins.items():
-            for i, content in enumerate(contents):
-                (folder / f"{kind}-{name}-{i:02d}.xml").write_text(scene(kind, name, content))
-                written += 1
-    print(f"{folder}: {written} scenes")
+    write_scenes(folder, ((f"{kind}-{name}-{i:02d}", scene(kind, name, content)) for kind, plugins in PLUGINS.items()
+                          for name, contents in plugins.items() for i, content in enumerate(contents)))
 
 
 main()

@@ -67,22 +67,27 @@ double area_factor(const MeshInstance& copy) {
 }  // namespace
 
 AreaPrices::AreaPrices(const Scene& scene, float radius) {
-  std::map<const Mesh*, double> areas;  // instances share meshes
+  struct Facts {
+    double area;
+    bool smooth;
+  };
+  std::map<const Mesh*, Facts> known_meshes;  // instances share meshes
   for (std::size_t i = 0; i < scene.surfaces.size(); ++i) {
     const Mesh* mesh = mesh_of(scene.surfaces[i].geometry);
     if (mesh == nullptr) continue;
-    const auto [known, is_new] = areas.try_emplace(mesh, 0.0);
-    if (is_new) known->second = area_of(*mesh);
+    auto known = known_meshes.find(mesh);
+    if (known == known_meshes.end())
+      known = known_meshes.emplace(mesh, Facts{area_of(*mesh), is_smooth_over(*mesh, double{radius} / 16)}).first;
     const auto* copy = std::get_if<MeshInstance>(&scene.surfaces[i].geometry);
-    const double area = known->second * (copy != nullptr ? area_factor(*copy) : 1),
+    const double area = known->second.area * (copy != nullptr ? area_factor(*copy) : 1),
                  count = static_cast<double>(mesh->triangle_count());
     const double disc = std::numbers::pi * double{radius} * double{radius};
     const double within = disc < area ? count * disc / area : count;
     const double on_border = std::min(within, std::sqrt(4 * std::numbers::pi * within));
     price_.resize(scene.surfaces.size());
-    price_[i] = is_smooth_over(*mesh, double{radius} / 16) ? triangle_within * std::min(within, groups_within) +
-                                                                 group_on_border * std::min(on_border, groups_on_border)
-                                                           : triangle_within * within + triangle_on_border * on_border;
+    price_[i] = known->second.smooth ? triangle_within * std::min(within, groups_within) +
+                                           group_on_border * std::min(on_border, groups_on_border)
+                                     : triangle_within * within + triangle_on_border * on_border;
   }
 }
 

@@ -4,6 +4,7 @@
 
 #include "renderer/integrators/test_scenes.h"
 #include "renderer/planning/test_compiled.h"
+#include "renderer/scene/test_square_mesh.h"
 #include "scenes/base/input_error.h"
 
 namespace photonproof::inline renderer_scene {
@@ -12,13 +13,7 @@ namespace {
 /// Two triangles over [-1,1]^2. The attribute of the vertices is 1/2 + x/4, 1/2 + y/8, 0.4; that of the faces 1/4 below
 /// the diagonal from (-1,-1) and 3/4 above it.
 std::shared_ptr<const TriangleMesh> painted_square() {
-  auto mesh = std::make_shared<TriangleMesh>();
-  mesh->resize_positions(4);
-  mesh->positions[0] = {-1, -1, 0};
-  mesh->positions[1] = {1, -1, 0};
-  mesh->positions[2] = {1, 1, 0};
-  mesh->positions[3] = {-1, 1, 0};
-  mesh->triangles = {{0, 1, 2}, {0, 2, 3}};
+  auto mesh = test::square_mesh();
   MeshAttribute colour{"vertex_color", {}};
   for (const Vec3f& p : mesh->positions) colour.values.emplace_back(0.5f + p.x / 4, 0.5f + p.y / 8, 0.4f);
   mesh->attributes = {colour, {"face_heat", {Rgb(0.25f), Rgb(0.75f)}}};

@@ -10,25 +10,14 @@
 #include "renderer/rays/trace.h"
 #include "renderer/scene/nearest_point.h"
 #include "renderer/scene/scene_frame.h"
+#include "renderer/scene/test_square_mesh.h"
 #include "scenes/generators/terrain.h"
 
 namespace photonproof::inline renderer_scene {
 namespace {
 
-/// The rectangle of two triangles, counter-clockwise seen from +z.
-std::shared_ptr<const TriangleMesh> square_mesh() {
-  auto mesh = std::make_shared<TriangleMesh>();
-  mesh->resize_positions(4);
-  mesh->positions[0] = {-1, -1, 0};
-  mesh->positions[1] = {1, -1, 0};
-  mesh->positions[2] = {1, 1, 0};
-  mesh->positions[3] = {-1, 1, 0};
-  mesh->triangles = {{0, 1, 2}, {0, 2, 3}};
-  return mesh;
-}
-
 SceneDescription with_meshes_for_rectangles(SceneDescription scene) {
-  const auto square = square_mesh();
+  const auto square = test::square_mesh();
   for (ShapeDescription& shape : scene.shapes)
     if (std::holds_alternative<RectangleDescription>(shape.geometry) && !shape.radiance)
       shape.geometry = MeshDescription{MeshDescription::Format::ply, "square.ply", true, false, square};
@@ -62,7 +51,7 @@ TEST(mesh_scene, triangles_render_as_the_rectangles_they_make_up) {
 TEST(mesh_scene, the_normal_follows_the_winding_and_flip_normals) {
   for (const bool flip : {false, true}) {
     SceneDescription d;
-    test::add_shape(d, MeshDescription{MeshDescription::Format::ply, "square.ply", true, false, square_mesh()},
+    test::add_shape(d, MeshDescription{MeshDescription::Format::ply, "square.ply", true, false, test::square_mesh()},
                     Transform::translate({5, 0, 0}), test::add_bsdf(d, DiffuseDescription{}))
         .flip_normals = flip;
     for (const SkipSwitches& skips : {SkipSwitches(), SkipSwitches({"bvh"})}) {
@@ -79,7 +68,7 @@ TEST(mesh_scene, the_normal_follows_the_winding_and_flip_normals) {
 SceneDescription with_textured_light(bool with_flat_triangle) {
   SceneDescription scene = test::room(24, false);
   scene.textures.push_back({{}, "", CheckerboardDescription{RgbD(12), RgbD{1, 2, 6}, Transform::scale({3, 5, 1})}});
-  auto light = std::make_shared<TriangleMesh>(*square_mesh());
+  auto light = std::make_shared<TriangleMesh>(*test::square_mesh());
   light->uvs = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
   if (with_flat_triangle) light->triangles.insert(light->triangles.begin(), {0, 1, 1});
   ShapeDescription& shape = scene.shapes.back();
@@ -158,7 +147,7 @@ TEST(mesh_scene, triangles_without_area_are_in_no_box) {
   // Each ray through the boxes of all of them would be tested against all: 30 times as long with 10^4 on the diagonal.
   constexpr std::size_t count = 10'000, bytes_of_indices = sizeof(TriangleMesh::Triangle) * count;
   const auto bytes = [](std::size_t flat) {
-    auto square = std::make_shared<TriangleMesh>(*square_mesh());
+    auto square = std::make_shared<TriangleMesh>(*test::square_mesh());
     for (std::size_t i = 0; i < flat; ++i)
       square->triangles.push_back(i % 2 == 0 ? TriangleMesh::Triangle{0, 0, 2} : TriangleMesh::Triangle{1, 1, 1});
     SceneDescription d;
@@ -175,7 +164,7 @@ TEST(mesh_scene, the_origin_is_amid_copies_where_their_group_puts_them) {
   ShapeGroupDescription group;
   for (const double x : {100.0, 140.0}) {
     ShapeDescription member;
-    member.geometry = MeshDescription{MeshDescription::Format::ply, "square.ply", true, false, square_mesh()};
+    member.geometry = MeshDescription{MeshDescription::Format::ply, "square.ply", true, false, test::square_mesh()};
     member.to_world = Transform::translate({x, 0, 0});
     group.shapes.push_back(member);
   }

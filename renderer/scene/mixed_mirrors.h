@@ -1,6 +1,6 @@
 // Blends with a mirror as in Mitsuba 3.9.1 (BlendDescription::mixes_mirrors). It weights the mirror's sample against
-// the density d of the other BSDF as if the mirror had a density, of its own probability q, too. With the mirror's
-// share w and value v, and the other's value f times the cosine, the sample's weight is
+// the density d of the other BSDF, as if the mirror had a density, too: its own probability q. The mirror has the share
+// w and the value v. The other BSDF has the value f, with the cosine. The sample's weight is then
 //   (w q v + (1 - w) f) / (w q + (1 - w) d)   in place of   v.
 #pragma once
 

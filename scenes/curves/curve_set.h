@@ -18,8 +18,8 @@ struct CurvePoint {
 };
 
 struct CurveSet {
-  std::vector<CurvePoint> points;    ///< curve after curve; finite, radii at least 0
-  std::vector<std::uint32_t> first;  ///< the first point of each curve; ascending, never empty
+  std::vector<CurvePoint> points;    ///< of all curves in turn, finite; radii are at least 0
+  std::vector<std::uint32_t> first;  ///< the first point of each curve, ascending; no curve is empty
 
   friend bool operator==(const CurveSet&, const CurveSet&) = default;
 };
