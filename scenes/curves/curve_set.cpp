@@ -1,22 +1,19 @@
 #include "scenes/curves/curve_set.h"
 
-#include <algorithm>
-
 #include "scenes/base/input_error.h"
+#include "scenes/base/line_words.h"
 #include "scenes/base/text_numbers.h"
-#include "scenes/base/text_position.h"
 
 namespace photonproof::inline scenes_curves {
 namespace {
 
-class CurveReader {
+class CurveReader : LineWords {
  public:
   CurveReader(std::string_view text, const std::string& file, std::size_t least)
-      : text_(text), file_(file), least_(least) {}
+      : LineWords(text, file), least_(least) {}
 
   CurveSet run() {
-    for (; next_ < text_.size(); next_ = end_ + 1) {
-      end_ = std::min(text_.find('\n', next_), text_.size());
+    for (; begin_line(); skip_line()) {
       const std::string_view first = word();
       if (first.empty()) {
         finish();
@@ -31,20 +28,6 @@ class CurveReader {
   }
 
  private:
-  [[noreturn]] void fail(std::size_t offset, const std::string& message) const {
-    fail_at_offset(file_, text_, offset, message);
-  }
-
-  static bool is_space(char c) { return c == ' ' || c == '\t' || c == '\r'; }
-
-  /// The next word of the line, empty at its end.
-  std::string_view word() {
-    while (next_ < end_ && is_space(text_[next_])) ++next_;
-    word_ = next_;
-    while (next_ < end_ && !is_space(text_[next_])) ++next_;
-    return text_.substr(word_, next_ - word_);
-  }
-
   void begin() {
     open_ = true;
     began_ = word_;
@@ -78,11 +61,9 @@ class CurveReader {
     set_.points.push_back(point);
   }
 
-  std::string_view text_;
-  const std::string& file_;
   std::size_t least_;
-  std::size_t next_ = 0, end_ = 0, word_ = 0, began_ = 0;  ///< byte offsets
-  bool open_ = false;                                      ///< in a curve
+  std::size_t began_ = 0;  ///< where the curve does
+  bool open_ = false;      ///< in a curve
   CurveSet set_;
 };
 

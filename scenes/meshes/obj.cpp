@@ -9,8 +9,8 @@
 #include <optional>
 
 #include "scenes/base/input_error.h"
+#include "scenes/base/line_words.h"
 #include "scenes/base/text_numbers.h"
-#include "scenes/base/text_position.h"
 #include "scenes/files/atomic_file.h"
 
 namespace photonproof::inline scenes_meshes {
@@ -21,35 +21,17 @@ constexpr std::uint32_t kNone = 0xFFFFFFFF;
 /// Indices of a position, a texture coordinate and a normal; the last two may be kNone.
 using Corner = std::array<std::uint32_t, 3>;
 
-class ObjReader {
+class ObjReader : LineWords {
  public:
-  ObjReader(std::string_view text, const std::string& file) : text_(text), file_(file) {}
+  ObjReader(std::string_view text, const std::string& file) : LineWords(text, file) {}
 
   TriangleMesh run() {
-    while (next_ < text_.size()) {
-      end_ = std::min(text_.find('\n', next_), text_.size());
-      read_line();
-      next_ = end_ + 1;
-    }
+    for (; begin_line(); skip_line()) read_line();
     if (triangles_.empty()) throw InputError(file_, "has no faces, expected at least one");
     return build();
   }
 
  private:
-  [[noreturn]] void fail(std::size_t offset, const std::string& message) const {
-    fail_at_offset(file_, text_, offset, message);
-  }
-
-  static bool is_space(char c) { return c == ' ' || c == '\t' || c == '\r'; }
-
-  /// The next word of the line, empty at its end.
-  std::string_view word() {
-    while (next_ < end_ && is_space(text_[next_])) ++next_;
-    word_ = next_;
-    while (next_ < end_ && !is_space(text_[next_])) ++next_;
-    return text_.substr(word_, next_ - word_);
-  }
-
   void read_line() {
     const std::string_view statement = word();
     if (statement == "v") {
@@ -173,10 +155,6 @@ class ObjReader {
     return mesh;
   }
 
-  std::string_view text_;
-  const std::string& file_;
-  std::size_t next_ = 0, end_ = 0;  // in the line, and of it
-  std::size_t word_ = 0;            // where the last word starts
   std::vector<Vec3f> positions_, normals_;
   std::vector<Vec2<float>> uvs_;
   std::vector<Corner> corners_;
