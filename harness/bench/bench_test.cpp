@@ -248,10 +248,9 @@ TEST_F(BenchRun, engine_whose_version_command_is_not_there_is_not_started) {
   text.replace(at, 28, "[['no-such-program']]");
   run(text);
   EXPECT_EQ(result_of("brighter").status, Status::not_started);
-  EXPECT_EQ(
-      result_of("brighter").detail,
-      "the engine cannot tell its version: 'no-such-program' could not be started: 'no-such-program': No such file "
-      "or directory; it is not on PATH");
+  EXPECT_EQ(result_of("brighter").detail,
+            "the engine prints no version: 'no-such-program' could not be started: 'no-such-program': No such file "
+            "or directory; it is not on PATH");
 }
 
 TEST_F(BenchRun, an_engine_that_cannot_be_started_is_tried_again_when_it_is_there) {
@@ -414,7 +413,7 @@ TEST_F(BenchRun, version_that_hangs_or_fails_is_no_pass) {
       run(suite_text("grey", {}, "seconds = 1") + engine("stuck", "['sleep', '30']") + engine("broken", "['false']") +
           engine("absent", "['no-such-program-anywhere']") + engine("optional", "['sh', '-c', 'exit 3']"));
   EXPECT_EQ(result_of("stuck").status, Status::timeout);
-  EXPECT_EQ(result_of("stuck").detail, "the engine cannot tell its version: 'sleep 30' killed after 1 s (limit)");
+  EXPECT_EQ(result_of("stuck").detail, "the engine prints no version: 'sleep 30' killed after 1 s (limit)");
   EXPECT_EQ(result_of("broken").status, Status::crash);
   EXPECT_EQ(result_of("absent").status, Status::not_started);
   EXPECT_EQ(result_of("optional").status, Status::unsupported);

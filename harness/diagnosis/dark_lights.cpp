@@ -31,9 +31,8 @@ std::optional<Finding> find_dark_lights(const Image& submitted, const SceneKnowl
   }
   if (at_white < least_values || static_cast<double>(dark) < least_part * static_cast<double>(at_white))
     return std::nullopt;
-  return Finding{"white-is-dark", "what is brighter than white, the lamp, comes out dark",
-                 "values above 255 wrap around in 8 bits where they should be cut, or the lamp is not drawn as bright "
-                 "as it is",
+  return Finding{"white-is-dark", "the lamp, which is brighter than white, comes out dark",
+                 "values above 255 wrap around in 8 bits instead of being cut, or the lamp is drawn too dark",
                  region_of(weight, reference.width, reference.height), 1};
 }
 

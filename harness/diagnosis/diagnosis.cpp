@@ -24,7 +24,7 @@ bool as_expected_size(const Image& submitted, const SceneKnowledge& knowledge, s
   if (submitted.width == reference.width && submitted.height == reference.height && submitted.pixels() > 0) return true;
   findings.push_back({"wrong-size",
                       "the image has " + size_text(submitted) + " pixels, not " + size_text(reference),
-                      "the size asked for is not heeded",
+                      "the size asked for is ignored",
                       {0, 0, submitted.width, submitted.height},
                       1});
   return false;
@@ -38,7 +38,7 @@ std::optional<Finding> other_scene(const Comparison& comparison, const SceneKnow
     if (other < std::min(least, 0.15 * own))
       return Finding{"other-scene",
                      "same image as " + name + "'s",
-                     "the scene asked for is not heeded, or an image left from another run was taken",
+                     "the scene asked for is ignored, or an image left from another run was taken",
                      {0, 0, comparison.width(), comparison.height()},
                      1 - other / own};
   }

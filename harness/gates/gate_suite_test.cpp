@@ -73,7 +73,7 @@ TEST_F(GateSuiteFile, a_row_with_several_scenes_and_engines_is_a_gate_for_each_p
   EXPECT_EQ(problem("scene = ['a', 'a']\nengine = 'path'\n"), "g.toml:14:15: error: 'a' is named twice");
   EXPECT_EQ(problem("scene = []\nengine = 'path'\n"), "g.toml:14:9: error: 'scene' must not be empty");
   EXPECT_EQ(problem("scene = 'a'\nscenes = ['b']\nengine = 'path'\n"),
-            "g.toml:15:10: error: 'scenes' beside 'scene': say one of them");
+            "g.toml:15:10: error: 'scenes' beside 'scene': give one of them");
 }
 
 TEST_F(GateSuiteFile, only_an_engine_whose_command_has_a_seed_is_asked_for_independent_images) {

@@ -50,7 +50,7 @@ void ParameterProbe::flag(const PreparedSubmission& prepared, SubmissionWork& wo
   if (!draws_the_same(prepared, work) || baseline_draws_the_same_.get()) return;
   work.grade.flags.push_back({"parameters-ignored",
                               "the same image with other parameters: files that the assignment puts in place of the "
-                              "submission's own are not heeded",
+                              "submission's own are ignored",
                               grade.scene,
                               {}});
 }

@@ -63,8 +63,7 @@ std::vector<std::string> SceneFindings::problems() const {
   const std::lock_guard lock(telling_);
   std::vector<std::string> all;
   for (const auto& [scene, error] : failures_)
-    all.push_back("what is said of scene '" + scenes_[scene].row.name +
-                  "' goes without what its light is made of: " + error);
+    all.push_back("findings for scene '" + scenes_[scene].row.name + "' lack the parts of its light: " + error);
   return all;
 }
 

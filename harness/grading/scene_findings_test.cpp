@@ -35,8 +35,7 @@ TEST(SceneFindings, a_failed_render_leaves_plainer_sentences_and_is_told_once_a_
     EXPECT_EQ(work.grade.findings[0].kind, "exposure");
   }
   ASSERT_THAT(findings.problems(), testing::SizeIs(1));
-  EXPECT_THAT(findings.problems()[0],
-              testing::StartsWith("what is said of scene 'room' goes without what its light is made of: "));
+  EXPECT_THAT(findings.problems()[0], testing::StartsWith("findings for scene 'room' lack the parts of its light: "));
 }
 
 // Mistakes in the light look like noise, too, such as a cache whose weights are left out.

@@ -179,7 +179,7 @@ TEST_F(GradeVerb, parameters_that_are_not_heeded_are_named) {
   EXPECT_TRUE(of(all, "heeds").flags.empty()) << of(all, "heeds").flags.front().kind;
   EXPECT_EQ(of(all, "ignores").sentence,
             "the same image with other parameters: files that the assignment puts in place of the submission's own are "
-            "not heeded");
+            "ignored");
 }
 
 TEST_F(GradeVerb, a_copied_reference_is_wrong_though_every_metric_likes_it) {

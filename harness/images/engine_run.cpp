@@ -170,7 +170,7 @@ std::string in_own_words(std::string text, const EngineCommand& command) {
 void keep_output(const fs::path& file, const std::string& text, Result& result) try {
   if (!text.empty()) write_file_atomically(file, text);
 } catch (const InputError& error) {
-  result.caveats.push_back("what it printed could not be kept: " + error.summary());
+  result.caveats.push_back("its output could not be kept: " + error.summary());
 }
 
 }  // namespace

@@ -27,7 +27,7 @@ EngineVersion ask_version(const Engine& engine, const std::filesystem::path& sui
     options.wall_limit_seconds = most_seconds;
     const ProcessOutcome outcome = usual_executor().run(argv, options);
     if (!outcome.ok()) {
-      version.problem = "the engine cannot tell its version: '" + shell_line(argv) + "' " + outcome.sentence();
+      version.problem = "the engine prints no version: '" + shell_line(argv) + "' " + outcome.sentence();
       using End = ProcessOutcome::End;
       const bool refuses = outcome.end == End::exited && outcome.exit_code == unsupported_exit_code;
       version.cells_end_as = refuses                           ? Status::unsupported

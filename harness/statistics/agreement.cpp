@@ -231,7 +231,8 @@ void check_variance(const Rendering& rendering, const char* name) {
 }  // namespace
 
 std::string Agreement::power_sentence() const {
-  if (shared_noise && whole.n == 0) return "the image does not say how certain its mean is, so no error could be seen";
+  if (shared_noise && whole.n == 0)
+    return "the image does not state the standard error of its mean, so no error could be detected";
   if (!would_see) return "the whole image is black: no error of its brightness could have been seen";
   if (std::isinf(*would_see)) return "too noisy for any error of the whole image to be seen";
   return "an error of " + percent_text(*would_see) + " of the whole image would have been seen " +

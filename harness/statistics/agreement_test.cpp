@@ -303,7 +303,8 @@ TEST(agreement, of_shared_noise_is_inconclusive_where_no_image_says_how_certain_
   const Agreement result = test_agreement(reference, test, 0.01, true);
   EXPECT_TRUE(result.inconclusive);
   EXPECT_FALSE(result.would_see);
-  EXPECT_EQ(result.power_sentence(), "the image does not say how certain its mean is, so no error could be seen");
+  EXPECT_EQ(result.power_sentence(),
+            "the image does not state the standard error of its mean, so no error could be detected");
   test.mean.pixel(3, 4)[1] += 1;  // 38 deviations
   const Agreement wrong = test_agreement(reference, test, 0.01, true);
   EXPECT_FALSE(wrong.pass());

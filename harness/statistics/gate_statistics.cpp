@@ -148,8 +148,8 @@ void name_blocks(const Deviations& d, const Deviations& judged, const BlockChiSq
                                            channel_letters[c], beyond, noticed)});
   }
   judgement.sentence = fmt::format(
-      "blocks of 8 x 8 pixels are off by more than noise in {}: {}; of {} beyond {} deviations {} are darker, {} "
-      "brighter; chi^2 {:.4g}, bound {:.4g}",
+      "blocks of 8 x 8 pixels are off by more than noise in {}: {}; {} of them beyond {} deviations ({} darker, {} "
+      "brighter), chi^2 {:.4g}, bound {:.4g}",
       channel_letters[c], named, beyond, noticed, darker, beyond - darker, chi_square.value, chi_square.bound);
 }
 

@@ -41,7 +41,7 @@ void add_numbers(std::vector<Sweep>& sweeps, const std::string& where, const Sce
   sweeps.back().must_refuse = true;
   sweeps.back().goes_on = true;
   sweeps.push_back(number_in(("extreme as " + where).c_str(), scene, marker,
-                             "k-th of 1e39, 1e308, 1e-39, 1e-50, 1e-308, 1e-320: a finite picture, or said",
+                             "k-th of 1e39, 1e308, 1e-39, 1e-50, 1e-308, 1e-320: a finite image, or an error",
                              extreme_numbers));
   sweeps.back().goes_on = true;
 }
@@ -90,7 +90,7 @@ void add_numbers_in_meshes(const fs::path& assets, std::vector<Sweep>& sweeps) {
                                     "k-th of nan, inf, -inf, 1e400, -1e400", none));
     sweeps.back().must_refuse = true;
     sweeps.push_back(number_in_mesh(assets, ("extreme in " + kind).c_str(), extension, text,
-                                    "k-th of 1e39, 1e308, 1e-39, 1e-50, 1e-308, 1e-320: a finite picture, or said",
+                                    "k-th of 1e39, 1e308, 1e-39, 1e-50, 1e-308, 1e-320: a finite image, or an error",
                                     extreme_numbers));
   };
   add(".ply", floor_as_ply, "PLY");

@@ -234,7 +234,7 @@ LevelVerdict judge_level(const LevelEvidence& evidence, const LevelExpectation& 
       verdict.sentence = fmt::format("the minimum detectable error is {:.3g} %{}", 100 * *verdict.would_see,
                                      is_reported ? "; said: " + evidence.losses.front() : "");
     } else if (is_reported) {
-      verdict.sentence = "right, and said: " + evidence.losses.front();
+      verdict.sentence = "right, and reported: " + evidence.losses.front();
     }
   }
   return verdict;

@@ -254,7 +254,7 @@ std::vector<Sweep> textures(const std::filesystem::path& assets) {
     const bool bitmap = named.first == "texture bitmap";
     sweeps.push_back({bitmap ? "texture bitmap" : "texture checkerboard",
                       "moved uv",
-                      "by 2^k of its periods",
+                      "moved by 2^k of its periods",
                       {4, 8, 12, 16, 20, 23, 26, 30, 60},
                       20,
                       [=](double k) {

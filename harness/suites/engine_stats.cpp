@@ -56,7 +56,7 @@ EngineStats read_engine_stats(const std::filesystem::path& file) {
   try {
     const json stats = json::parse(read_file(file, max_bytes));
     if (!stats.is_object() || stats.value("schema_version", json()) != 1) {
-      out.problem = "it does not say \"schema_version\": 1";
+      out.problem = "it lacks \"schema_version\": 1";
       return out;
     }
     read_numbers(stats, "phases", false, out.phases, out.problem);

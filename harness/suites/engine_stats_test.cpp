@@ -31,9 +31,9 @@ TEST_F(StatsFile, missing_file_is_no_problem) {
 
 TEST_F(StatsFile, what_cannot_be_used_is_said_and_the_rest_kept) {
   EXPECT_EQ(read("{\"schema_version\": 1,").problem, "it is not valid JSON");
-  EXPECT_EQ(read("[1]").problem, "it does not say \"schema_version\": 1");
-  EXPECT_EQ(read("{\"phases\": {}}").problem, "it does not say \"schema_version\": 1");
-  EXPECT_EQ(read("{\"schema_version\": 2}").problem, "it does not say \"schema_version\": 1");
+  EXPECT_EQ(read("[1]").problem, "it lacks \"schema_version\": 1");
+  EXPECT_EQ(read("{\"phases\": {}}").problem, "it lacks \"schema_version\": 1");
+  EXPECT_EQ(read("{\"schema_version\": 2}").problem, "it lacks \"schema_version\": 1");
   EXPECT_EQ(read("{\"schema_version\": 1, \"phases\": 3}").problem, "'phases' is not an object");
   EXPECT_EQ(read("{\"schema_version\": 1, \"skipped\": {}}").problem, "'skipped' is not an array");
   EXPECT_EQ(read("{\"schema_version\": 1, \"skipped\": [1]}").problem,

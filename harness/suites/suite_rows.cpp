@@ -114,7 +114,7 @@ void read_path(const TomlTable& table, const SuiteCommon& suite, SuiteScene& sce
     scene.reader = SceneReader::engine_by_word;
   } else if (!engines && is_word && scene.given_path.size() < longest_word) {
     throw table.error("path", "no such file: " + file.string() +
-                                  "; reads = \"engine\" beside it makes it a word that only the engine knows");
+                                  "; reads = \"engine\" beside it makes it a word that only the engine reads");
   } else {
     scene.path = existing_file(table, "path", suite.folder);
   }

@@ -81,7 +81,7 @@ const Engine& known_engine(const TomlTable& table, const std::vector<Engine>& en
 template <class Items>
 auto named_rows(const std::string& one, const std::string& many, const TomlTable& table, Items& items) {
   if (table.has(one) && table.has(many))
-    throw table.error(many, "'" + many + "' beside '" + one + "': say one of them");
+    throw table.error(many, "'" + many + "' beside '" + one + "': give one of them");
   const std::string& key = table.has(many) ? many : one;
   const bool is_array = table.is_array(key);
   const std::vector<std::string> names = is_array ? table.strings(key) : std::vector{table.string(key)};

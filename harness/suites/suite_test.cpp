@@ -229,8 +229,8 @@ TEST_F(SuiteFile, a_missing_file_is_never_taken_for_a_word) {
   EXPECT_EQ(of("path = 'ball.blend'\n"), "s.toml:11:8: error: no such file: ball.blend");
   EXPECT_EQ(of("path = 'ball.blend'\nreads = 'engine'\n"), "s.toml:11:8: error: no such file: ball.blend");
   EXPECT_EQ(of("path = 'cornell'\n"),
-            "s.toml:11:8: error: no such file: cornell; reads = \"engine\" beside it makes it "
-            "a word that only the engine knows");
+            "s.toml:11:8: error: no such file: cornell; reads = \"engine\" beside it makes it a word that only the "
+            "engine reads");
   EXPECT_EQ(of("path = 'a.xml'\nreads = 'me'\n"),
             "s.toml:12:9: error: 'reads' is \"engine\", where only the engine reads the scene; not 'me'");
 }

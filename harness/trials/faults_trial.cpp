@@ -99,11 +99,12 @@ void add_faults_trial(CLI::App& program, int& exit_code) {
       "faults",
       "Kill small runs of bench, gate, reference, grade and render at random moments, let their disk be full, "
       "read-only,\n"
-      "slow, failing or gone, their clock jump, their memory be small, and see that they come to the same in the end.\n"
-      "What is decided is kept in the folder and not tried again.\n"
+      "slow, failing or gone, their clock jump and their memory be small, and check that the result stays the same.\n"
+      "Decided trials are kept in the folder and not tried again.\n"
       "Exit codes: 0 all held, 1 something did not, 2 bad input, 130 interrupted");
   verb->add_option("-o,--output", arguments->output, "results folder")->capture_default_str();
-  verb->add_option("--kills", arguments->kills, "of all works together (default 1000, with --quick 20)")
+  verb->add_option("--kills", arguments->kills,
+                   "the number of kills, all works together (default 1000, with --quick 20)")
       ->check(CLI::Range(0, 10'000'000));
   verb->add_flag("--quick", arguments->quick, "one trial of every other fault on every work");
   verb->add_option("--only", arguments->only, "only faults on works whose name contains this; --list has the names");

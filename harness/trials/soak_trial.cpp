@@ -105,7 +105,7 @@ void add_soak_trial(CLI::App& program, int& exit_code) {
       "files and disk must not grow, and every image must have the same bits each time.\n"
       "Exit codes: 0 flat, 1 something grows or differs, 2 bad input, 3 cannot tell (more --renders), 130 interrupted");
   verb->add_option("-o,--output", arguments->output, "results folder; its images are replaced")->capture_default_str();
-  verb->add_option("--renders", arguments->renders, "by processes at least, and as many within one")
+  verb->add_option("--renders", arguments->renders, "the least number of renders by processes, and as many within one")
       ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{100'000'000}))
       ->capture_default_str();
   verb->add_option("--bound", arguments->bound, "growth of memory that does not matter, bytes a render")
@@ -113,7 +113,7 @@ void add_soak_trial(CLI::App& program, int& exit_code) {
       ->capture_default_str();
   verb->add_option("--integrator", arguments->integrator, "this one alone (default: all)");
   verb->add_option("--program", arguments->program,
-                   "what renders by processes (default: the photonproof beside this program)");
+                   "the program that renders by processes (default: the photonproof beside this program)");
   verb->add_option("--within", arguments->within, "(of soak itself) render within one process what lies there")
       ->group("");
   verb->callback([arguments, &exit_code] { exit_code = soak(*arguments); });

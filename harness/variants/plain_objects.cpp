@@ -16,7 +16,7 @@ namespace photonproof::inline harness_variants {
 namespace {
 
 [[noreturn]] void cannot_say(const SceneDescription& scene, const SourceLoc& loc, const std::string& what) {
-  throw InputError(scene.where(loc), "the course's scene files cannot say " + what);
+  throw InputError(scene.where(loc), "the course's scene files cannot express " + what);
 }
 
 RgbD plain_colour(const SceneDescription& scene, const Colour& colour, const SourceLoc& loc, const char* of) {
@@ -140,7 +140,7 @@ const char* word_of(PlainMaterial material) {
 }
 
 std::vector<PlainObject> plain_objects(const SceneDescription& scene) {
-  if (!scene.emitters.empty()) cannot_say(scene, scene.emitters.front().loc, "a light but of a shape that shines");
+  if (!scene.emitters.empty()) cannot_say(scene, scene.emitters.front().loc, "a light other than a shape that shines");
   std::vector<PlainObject> objects;
   for (const ShapeDescription& shape : scene.shapes) {
     if (shape.interior || shape.exterior) cannot_say(scene, shape.loc, "a medium");

@@ -71,9 +71,9 @@ TEST(SceneFile, says_what_it_cannot_say) {
   const auto error_of = [](const std::string& scene, const std::string& text) {
     return input_error_of([&] { scene_file_text(scene_of_library(scene), 8, 8, text, "scene.mustache"); });
   };
-  EXPECT_THAT(error_of("roughness", "{{width}}"), testing::HasSubstr("the course's scene files cannot say"));
+  EXPECT_THAT(error_of("roughness", "{{width}}"), testing::HasSubstr("the course's scene files cannot express"));
   EXPECT_THAT(error_of("light-point", "{{width}}"),
-              testing::HasSubstr("cannot say a light but of a shape that shines"));
+              testing::HasSubstr("cannot express a light other than a shape that shines"));
   EXPECT_THAT(error_of("course-1", "{{#objects}}"), testing::StartsWith("scene.mustache: error: "));
   EXPECT_EQ(error_of("course-1", "{{#objects}}{{shininess}}{{/objects}}"),
             "scene.mustache: error: it names 'shininess', which no scene has");

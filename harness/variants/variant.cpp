@@ -159,7 +159,7 @@ void make_resolution(Variant& variant, const VariantOptions&) {
   for (const int side : {2, 3, 4})
     if (variant.width % side == 0 && variant.height % side == 0 && std::min(variant.width, variant.height) / side >= 8)
       sides.push_back(side);
-  if (sides.empty()) throw InputError("resolution", "neither 2, 3 nor 4 divides the image's width and height");
+  if (sides.empty()) throw InputError("resolution", "the image's width and height are not both divisible by 2, 3 or 4");
   VariantDraws draws(variant.seed, 7);
   const int side = sides[static_cast<std::size_t>(draws.below(static_cast<int>(sides.size())))];
   variant.width /= side;

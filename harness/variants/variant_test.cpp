@@ -81,7 +81,7 @@ TEST(Variants, say_which_scene_does_not_allow_them) {
   EXPECT_EQ(input_error_of([&] { make_variant("superposition", 1, dark, 48, 48); }),
             "superposition: error: the scene has no rectangle or point that shines evenly");
   EXPECT_EQ(input_error_of([&] { make_variant("resolution", 1, dark, 47, 47); }),
-            "resolution: error: neither 2, 3 nor 4 divides the image's width and height");
+            "resolution: error: the image's width and height are not both divisible by 2, 3 or 4");
   EXPECT_EQ(input_error_of([&] { make_variant("mirrored", 1, dark, 48, 48); }),
             "variant: error: there is no kind 'mirrored', expected one of mirror, rigid-move, light-scale, "
             "colour-permutation, superposition, object-order, resolution, crop, more-spheres");

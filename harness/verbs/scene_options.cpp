@@ -37,7 +37,7 @@ void add_scene_options(CLI::App& verb, SceneOptions& options) {
                   "size of the whole film (default: the scene's); a crop in the scene keeps its share")
       ->type_name("WxH");
   verb.add_flag("--allow-outside", options.allow_outside, "let the scene name files outside its folder");
-  verb.add_option("--sensor", options.sensor, "which of the scene's cameras, counted from 0 (default: 0)")
+  verb.add_option("--sensor", options.sensor, "the scene's camera with this number, counted from 0 (default: 0)")
       ->type_name("N")
       ->check(CLI::NonNegativeNumber);
   verb.add_flag("--lenient", options.lenient, "leave out what cannot be read, with a warning for each");

@@ -81,7 +81,7 @@ Budget budget_for(const AnySuite& suite, const SuiteScene& scene, const Engine& 
     for (const Cell& use : suite.uses)
       if (use.scene == scene.name && (use.engine == engine.name || !same_engine) && engine.accepts(use.budget.kind))
         return use.budget;
-  throw InputError("--budget", "say the budget of one image, such as spp=64");
+  throw InputError("--budget", "give the budget of one image, such as spp=64");
 }
 
 std::optional<MadeReference> made_by_engine(const AnySuite& suite, const SuiteScene& scene,

@@ -139,7 +139,7 @@ std::array<std::unique_ptr<RowSource>, 2> open_pair(const CompareOptions& option
   comparison.reference_remarks = reference->file().remarks();
   comparison.test_remarks = test->file().remarks();
   if (!options.layer.empty() && reference->file().layer().empty() && test->file().layer().empty())
-    throw InputError("--layer", "neither image has layers: both are plain R, G, B");
+    throw InputError("--layer", "both images are plain R, G, B and have no layers");
   return {std::move(reference), std::move(test)};
 }
 
@@ -376,7 +376,7 @@ void add_metric_options(CLI::App& verb, CompareOptions& options) {
           std::string("compute ") + row.name + ", too; a bound on it does so as well");
   add_parameter_options(verb, options.metrics.parameters);
   begin_option_group(verb, "Bounds");
-  verb.add_option("--warn", options.warn, "exit with 1 when broken; a minimum for psnr and ssim; may be repeated")
+  verb.add_option("--warn", options.warn, "exit with 1 when broken, a minimum for psnr and ssim; may be repeated")
       ->type_name("METRIC=BOUND")
       ->take_all()
       ->allow_extra_args(false);
@@ -392,7 +392,7 @@ void add_compare_outputs(CLI::App& verb, CompareOptions& options) {
       ->type_name("FOLDER");
   verb.add_flag("--json", options.json, "print one JSON object instead of lines");
   begin_option_group(verb, run_group);
-  verb.add_option("--threads", options.metrics.threads, "worker threads; 0: every core; the numbers are the same")
+  verb.add_option("--threads", options.metrics.threads, "worker threads (0: every core); the numbers are the same")
       ->check(CLI::Range(0, 1024))
       ->type_name("N");
 }

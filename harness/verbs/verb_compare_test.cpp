@@ -87,7 +87,7 @@ TEST_F(CompareVerb, says_that_eight_bits_are_made_linear) {
 TEST_F(CompareVerb, layer_of_images_without_any_is_an_error) {
   const Run run = compare({reference(), darker(), "--layer", "Combined"});
   EXPECT_EQ(run.exit_code, 4);
-  EXPECT_EQ(run.err, "--layer: error: neither image has layers: both are plain R, G, B\n");
+  EXPECT_EQ(run.err, "--layer: error: both images are plain R, G, B and have no layers\n");
 }
 
 TEST_F(CompareVerb, exit_code_is_that_of_the_worst_broken_bound) {

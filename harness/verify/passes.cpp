@@ -203,8 +203,8 @@ std::vector<ScenePass> passes_of(const SceneDescription& scene) {
   add(reflects, "indirect", "light between diffuse surfaces", {.indirect = true});
   add(holds.textures, "texture", "textures and maps", {.textures = true});
   add(holds.gloss, "gloss", "plastic, lacquer and Phong", {.gloss = true});
-  add(holds.mirrors && !holds.groups, "mirror", "what mirrors show", {.emits = true, .mirrors = true});
-  add(holds.glass && !holds.groups, "glass", "what is seen through glass", {.emits = true, .glass = true});
+  add(holds.mirrors && !holds.groups, "mirror", "light seen in mirrors", {.emits = true, .mirrors = true});
+  add(holds.glass && !holds.groups, "glass", "light seen through glass", {.emits = true, .glass = true});
   add((holds.mirrors || holds.glass) && reflects, "caustic", "light by mirrors and through glass",
       {.indirect = true, .gloss = true, .mirrors = true, .glass = true});
   add(holds.media, "medium", "absorption and scattering",

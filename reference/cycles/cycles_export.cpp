@@ -55,15 +55,13 @@ void check_lights(const CyclesScript& script) {
   for (const EmitterDescription& emitter : scene.emitters) {
     const bool small = is_without_size(emitter);
     if (small && chance)
-      script.refuse(
-          emitter.loc,
-          "a light without size beside rough metal with an index, rough glass, plastic or phong: Cycles, which "
-          "has no such lobes, meets lights from them by chance only");
+      script.refuse(emitter.loc,
+                    "a light without size beside rough metal with an index, rough glass, plastic or phong: Cycles has "
+                    "no such lobes and meets lights by chance only");
     if (small && clear && wide)
-      script.refuse(
-          emitter.loc,
-          "a light without size beside mirrors or glass: what they throw of its light can be sampled from the "
-          "light only, and Cycles' paths start at the camera");
+      script.refuse(emitter.loc,
+                    "a light without size beside mirrors or glass: its caustics can be sampled from the light only, "
+                    "and Cycles' paths start at the camera");
   }
 }
 

@@ -18,9 +18,8 @@ std::string refusal(const std::string& content, const std::string& camera = kCam
 const std::string kNot = " error: not representable in Cycles: ";
 
 const std::string kCoat =
-    "what enters its coat depends on the light's direction, and the colour of Cycles' diffuse reflection on the "
-    "viewer's "
-    "alone";
+    "light enters its coat by the light's direction, and the colour of Cycles' diffuse reflection depends on the "
+    "viewer's alone";
 
 std::string ball(const std::string& bsdf) { return "<shape type='sphere'>" + bsdf + "</shape>" + kLight; }
 
@@ -69,7 +68,7 @@ TEST(cycles_refuses, coats_and_maps) {
 
 TEST(cycles_refuses, dielectrics_with_a_priority) {
   EXPECT_EQ(refusal(ball("<bsdf type='dielectric'><integer name='priority' value='1'/></bsdf>")),
-            "2:22:" + kNot + "a dielectric with a priority: Cycles knows no nested bodies");
+            "2:22:" + kNot + "a dielectric with a priority: Cycles has no nested bodies");
 }
 
 TEST(cycles_refuses, textures_of_meshes_and_scaled_ones) {
@@ -93,18 +92,16 @@ TEST(cycles_refuses, lights_it_has_no_equal_of) {
 TEST(cycles_refuses, lights_that_its_paths_cannot_find) {
   const std::string light = "<emitter type='point'/>",
                     mirror = "<shape type='sphere'><bsdf type='conductor'/></shape>\n";
-  EXPECT_EQ(
-      refusal("<shape type='cube'/>" + mirror + light),
-      "3:1:" + kNot +
-          "a light without size beside mirrors or glass: what they throw of its light can be sampled from the light "
-          "only, and Cycles' paths start at the camera");
+  EXPECT_EQ(refusal("<shape type='cube'/>" + mirror + light),
+            "3:1:" + kNot +
+                "a light without size beside mirrors or glass: its caustics can be sampled from the light only, and "
+                "Cycles' paths start at the camera");
   EXPECT_EQ(refusal("<shape type='cube'/>" + light), "no refusal");
   EXPECT_EQ(refusal(mirror + light), "no refusal") << "nothing that a light lights";
-  EXPECT_EQ(
-      refusal("<shape type='cube'><bsdf type='plastic'/></shape>\n" + light),
-      "3:1:" + kNot +
-          "a light without size beside rough metal with an index, rough glass, plastic or phong: Cycles, which has "
-          "no such lobes, meets lights from them by chance only");
+  EXPECT_EQ(refusal("<shape type='cube'><bsdf type='plastic'/></shape>\n" + light),
+            "3:1:" + kNot +
+                "a light without size beside rough metal with an index, rough glass, plastic or phong: Cycles has no "
+                "such lobes and meets lights by chance only");
 }
 
 TEST(cycles_refuses, media_that_overlap) {

@@ -92,7 +92,7 @@ struct Side {
 
   static constexpr const char* burley = "Cycles' principled shader has other lobes than Burley's of 2012 and 2015";
   static constexpr const char* coat =
-      "what enters its coat depends on the light's direction, and the colour of Cycles' diffuse reflection on the "
+      "light enters its coat by the light's direction, and the colour of Cycles' diffuse reflection depends on the "
       "viewer's alone";
 };
 
@@ -123,7 +123,7 @@ struct Surface {
   }
   std::string operator()(const NullDescription&) const { return "g.clear()"; }
   std::string operator()(const DielectricDescription& d) const {
-    if (d.priority) script.refuse(bsdf.loc, "a dielectric with a priority: Cycles knows no nested bodies");
+    if (d.priority) script.refuse(bsdf.loc, "a dielectric with a priority: Cycles has no nested bodies");
     return "g.glass(" + optics(d) + ")";
   }
   std::string operator()(const RoughDielectricDescription& d) const {

@@ -62,7 +62,7 @@ struct Check {
   void operator()(const DielectricDescription& d) const {
     require_constant(scene, bsdf, d.specular_reflectance);
     require_constant(scene, bsdf, d.specular_transmittance);
-    if (d.priority) refuse(scene, bsdf, "the priority of a dielectric: POV-Ray knows none");
+    if (d.priority) refuse(scene, bsdf, "the priority of a dielectric: POV-Ray has none");
   }
   void operator()(const ThinDielectricDescription& d) const {
     require_constant(scene, bsdf, d.specular_reflectance);

@@ -237,7 +237,7 @@ void apply_clip_planes(const PovCamera& camera, PovScene& scene) {
     if (camera.kind != PovCamera::Kind::perspective || !can_be_clear_from_behind(surface, camera, scene, end))
       throw Unrepresentable(description.where(surface.shape->loc),
                             "part of this surface lies before the camera's near_clip of " + rounded(camera.near_clip) +
-                                ", POV-Ray has no clip planes, and it cannot be left out without changing the light");
+                                ". POV-Ray has no clip planes, and leaving it out would change the light");
     surface.clear_back = true;
   }
 }

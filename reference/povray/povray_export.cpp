@@ -43,7 +43,7 @@ int halvings(const PovScene& scene, const PovPlan& plan) {
 void write_radiosity_group(const PovScene& scene, const PovPlan& plan, std::uint64_t seed, SdlWriter& out) {
   if (!plan.radiosity || !plan.point_lights) return;
   out.explain("twins of the diffuse surfaces, in the same places, for radiosity's rays only: lit by fewer points, and");
-  out.explain("without the light that light_sources stand for, lest it count twice");
+  out.explain("without the light that light_sources stand for, so that it does not count twice");
   out.line("light_group{");
   write_lights(scene, plan, plan.preset.radiosity_points, ~seed, out);
   if (plan.paths) write_fate(seed, out);

@@ -47,7 +47,7 @@ void check_emitters(const SceneDescription& scene) {
 void check_film(const SceneDescription& scene) {
   if (scene.sensor.medium)
     throw Unrepresentable(scene.where(scene.sensor.loc),
-                          "a camera in a medium: POV-Ray scatters light once only, and its lights do not know theirs");
+                          "a camera in a medium: POV-Ray scatters light once only, and its lights ignore theirs");
 }
 
 /// As in Mitsuba, every face of a cube has the whole square of uv. The table has its corner (1, 1), in the order of
@@ -378,9 +378,9 @@ void Lowering::check_whole() {
     if (is_diffuse(surface))
       for (const PovSurface& other : scene_.surfaces)
         if (other.absorption)
-          throw Unrepresentable(description.where(other.shape->loc),
-                                "a medium that absorbs beside surfaces that are lit: POV-Ray's photons and radiosity "
-                                "do not know it");
+          throw Unrepresentable(
+              description.where(other.shape->loc),
+              "a medium that absorbs beside surfaces that are lit: POV-Ray's photons and radiosity ignore it");
     for (const PovSurface& other : scene_.surfaces)
       if (other.emission == PovSurface::Emission::picture)
         throw Unrepresentable(description.where(other.shape->loc), "a textured area light that lights other surfaces");

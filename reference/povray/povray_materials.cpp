@@ -180,8 +180,8 @@ struct Writer {
           "#declare " + name + std::to_string(step) + " = " + coat_texture(coat, layers, cosine_of_step(step)) + "\n";
     before.pop_back();
     return {
-        "a diffuse base under a clear coat: what enters as a sum of powers of the light's cosine (brilliance), what "
-        "leaves and what is mirrored by a table of the eye's",
+        "a diffuse base under a clear coat: light enters by a sum of powers of its cosine (brilliance); it leaves and "
+        "is mirrored by a table of the eye's",
         by_incidence_step([&](int step, bool) { return name + std::to_string(step); }), "", before};
   }
   template <class Other>

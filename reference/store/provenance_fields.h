@@ -29,11 +29,11 @@ template <class V>
 void describe(V& v, GivenImages& r) {
   v.record("given images", "the images of a reference that none of our own integrators rendered");
   v.field("noise", r.noise, {.says = "images (from their differences), stated (by a variance image) or unknown"});
-  v.field("images", r.images, {.says = "that the mean is of"});
+  v.field("images", r.images, {.says = "the images of which the mean is taken"});
   v.field("files", r.files, {.says = "names without folders; none where an engine rendered the images"});
   v.field("checksums", r.checksums, {.says = "one a file"});
   v.maybe("transfer", r.transfer, {.says = "the function that values were decoded from"});
-  v.maybe("command", r.command, {.says = "of the engine's first image"});
+  v.maybe("command", r.command, {.says = "the command of the engine's first image"});
 }
 
 template <class V>
@@ -52,7 +52,7 @@ void describe(V& v, Provenance& r) {
   v.field("pixels", r.pixels, {.says = "checksum of the stored mean and variance"});
   v.field("history", r.acceptances, {.says = "oldest first"});
   v.field("seeds", r.seeds, {.says = "one an independent batch"});
-  v.maybe("bias", r.bias, {.says = "relative, as the estimator knows it itself"});
+  v.maybe("bias", r.bias, {.says = "relative, by the estimator itself"});
   v.maybe("witness", r.witness);
   v.maybe("given", r.given);
   v.maybe("definitions", r.definitions, {.says = "name=value of -D"});

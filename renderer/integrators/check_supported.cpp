@@ -47,10 +47,9 @@ bool may_throw_light_of_points(const SceneDescription& description) {
 /// Names integrators that support absorbing media and dielectric priorities, and those that support scattering media.
 std::string advice(const SceneDescription& description, bool any_scatters) {
   if (!may_throw_light_of_points(description)) return "use 'volpath'";
-  return any_scatters
-             ? "'volpath' does, without the light of lights without size that mirrors, glass or clear coats send "
-               "on: no integrator of this program finds that in such media"
-             : "use 'bdpt'";
+  return any_scatters ? "'volpath' does, but misses caustics of lights without size: no integrator of this program "
+                        "finds them in such media"
+                      : "use 'bdpt'";
 }
 
 /// Mean free paths across a medium that varies, at its largest extinction and along the diagonal of its box.
@@ -141,8 +140,9 @@ void check_job(const RenderJob& job, const IntegratorDescription& method) {
       !std::holds_alternative<PhotonMapperDescription>(method.method))
     refuse("--view cache-records", "has no irradiance cache");
   if (job.budget.target_error && !row.heeds.target_error)
-    throw InputError("--target-error", "integrator '" + std::string(row.name) +
-                                           "' cannot tell its own error: give it another budget and compare its image");
+    throw InputError("--target-error",
+                     "integrator '" + std::string(row.name) +
+                         "' cannot estimate its own error: give it another budget and compare its image");
   if (job.grid > 0 && !row.heeds.grid) refuse("--grid", "does not choose where in a pixel its samples are");
   if (job.view != Aov::whole && !row.heeds.view) refuse("--view", "makes no photon maps");
   if (job.grid > 0 && job.view == Aov::photons)

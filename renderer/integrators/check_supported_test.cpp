@@ -153,7 +153,7 @@ TEST(check_job, refuses_a_target_error_where_the_error_is_not_known_until_the_en
   for (const char* name : {"path", "photonmapper", "sppm"})
     EXPECT_EQ(said([&] { check_job(job, with_integrator({}, name)); }), "") << name;
   EXPECT_EQ(said([&] { check_job(job, with_integrator({}, "bdpt")); }),
-            "--target-error: error: integrator 'bdpt' cannot tell its own error: give it another budget and "
+            "--target-error: error: integrator 'bdpt' cannot estimate its own error: give it another budget and "
             "compare its image");
 }
 

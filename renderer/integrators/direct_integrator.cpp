@@ -11,7 +11,7 @@ namespace photonproof::inline renderer_integrators {
 void plan_direct(const IntegratorDescription& description, Planner& planner) {
   const auto& method = std::get<DirectDescription>(description.method);
   const auto paths = static_cast<std::size_t>(paths_a_sample(method));
-  planner.run("camera paths", "of at most 2 edges, " + counted(paths, "path", "paths") + " a camera sample");
+  planner.run("camera paths", "paths of at most 2 edges, " + counted(paths, "path", "paths") + " a camera sample");
   planner.run("direct light", method.bsdf_samples == 0 ? "samples of the lights alone"
                               : method.emitter_samples == 0
                                   ? "rays that meet the lights alone"

@@ -211,10 +211,10 @@ void say_if_few_arrive(const Scene& scene, const ParticleTracer& tracer, const R
     if (tracer.is_narrow(x, y, brightness, stats.counts["samples_per_pixel"], few_paths_a_pixel, draws_at(i))) ++narrow;
   }
   if (narrow > 0)
-    stats.losses.push_back(few_paths_text(
-        "fewer than %.2g light paths would have arrived in each of %zu pixels that are black, were they as "
-        "bright as the others: they may be dark by chance",
-        few_paths_a_pixel, narrow));
+    stats.losses.push_back(
+        few_paths_text("fewer than %.2g light paths would arrive in each of %zu black pixels if they were as bright as "
+                       "the others: they may be dark by chance",
+                       few_paths_a_pixel, narrow));
 }
 
 }  // namespace

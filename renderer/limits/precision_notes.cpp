@@ -66,7 +66,7 @@ void add_camera_notes(const SceneDescription& description, Notes& notes) {
   if (pinhole != nullptr && std::tan(pinhole->fov_degrees * std::numbers::pi / 360) > widest_tangent)
     notes.add(sensor.loc, "the field of view is " + short_number(180 - pinhole->fov_degrees) +
                               " degrees below 180, and directions in single precision are " + short_number(float_step) +
-                              " apart: what is seen at its edges may be elsewhere");
+                              " apart: objects at its edges may be elsewhere");
   if (lens == nullptr) return;
   // Each component of a direction is rounded by a step of the largest; the error then grows with the lens's width.
   const double slope = std::max(1.0, lens->aperture_radius / lens->focus_distance);
@@ -154,7 +154,7 @@ constexpr double part_of_a_view = 1e-3;
 void add_place_notes(const SceneDescription& description, const SceneFocus& focus, Notes& notes) {
   const double place = largest_coordinate(focus.point);
   if (place * double_step > part_of_what_is_seen * focus.size)
-    notes.add(description.sensor.loc, "what is seen is " + short_number(focus.size) + " large and lies at " +
+    notes.add(description.sensor.loc, "the part in view is " + short_number(focus.size) + " large and lies at " +
                                           short_number(place) + ", where coordinates in double precision are " +
                                           short_number(place * double_step) + " apart");
   for (const ShapeDescription& shape : description.shapes) {
@@ -193,8 +193,8 @@ void add_close_face_notes(const SceneDescription& description, const SceneParts&
   for (const CloseFaces& close : close_faces_of_glass(description, scene.frame))
     notes.add(description.shapes[close.second].loc,
               "a face of glass is " + short_number(close.apart) + " from one of the shape at " +
-                  description.where(description.shapes[close.first].loc) + ", and what is less than " +
-                  short_number(close.resolved) + " apart there light may take for one");
+                  description.where(description.shapes[close.first].loc) + ", and distances below " +
+                  short_number(close.resolved) + " count as one face there");
 }
 
 /// One note for each light; for many lights, notes for the first ones and the number of the others.
@@ -217,7 +217,7 @@ void add_grazing_notes(const SceneDescription& description, const SceneParts& sc
     const std::string height = short_number(light.height);
     return (light.from_one_side ? "the light's angle to a face has the sine " + height
                                 : "the light is " + height + " above a surface") +
-           ", which single precision knows to " + short_number(light.rounding) + ": light that grazes it there " +
+           ", which single precision resolves to " + short_number(light.rounding) + ": light that grazes it there " +
            (light.loss() < 1 ? "may be off by " + short_number(100 * light.loss()) + " %" : "is not known");
   });
 }
@@ -228,7 +228,7 @@ void add_hidden_light_notes(const SceneDescription& description, const ScenePart
   });
   add_notes_of_lights(description, lights_on_surfaces(scene), notes, [](const NearLight& area_light) {
     return "the light is " + short_number(area_light.height) +
-           " from a surface, and rays there do not separate what is less than " + short_number(area_light.resolved) +
+           " from a surface, and rays there do not separate surfaces less than " + short_number(area_light.resolved) +
            " apart: either may hide the other";
   });
 }
@@ -266,7 +266,7 @@ std::vector<SceneNote> notes_on_missed_spots(const SceneDescription& description
            " above a surface, and its brightest spot there is reached by " +
            short_number(camera_paths * spot * area_light.height * area_light.height / area) + " of " +
            short_number(camera_paths) +
-           " camera paths: the variance may be too small; integrators that also trace light paths find the spot";
+           " camera paths: the variance may be too small. Integrators that also trace light paths find the spot";
   });
   return std::move(notes.made);
 }

@@ -23,7 +23,7 @@ struct BsdfNotes {
   template <class Other>
   void operator()(const Other& d) const {
     static_assert(
-        !requires { d.exponent; }, "which exponents are usable is for each BSDF to say");
+        !requires { d.exponent; }, "each BSDF says which exponents are usable");
     if constexpr (requires { d.shares(); }) shares(d);
     if constexpr (requires { d.alpha_u; })
       roughness(d.alpha_u, d.alpha_v);

@@ -81,11 +81,12 @@ TEST(scene_notes, say_what_grazes_more_exactly_than_precision) {
   EXPECT_THAT(
       notes_of(d),
       testing::MatchesRegex(
-          "s.xml:4:1: the light is (1e-05|9.9e-06) above a surface, which single precision knows to [0-9.]+e-0[78]: "
+          "s.xml:4:1: the light is (1e-05|9.9e-06) above a surface, which single precision resolves to [0-9.]+e-0[78]: "
           "light that grazes it there may be off by [0-9.]+ %\n"
-          "s.xml:5:1: the light is [0-9.]+e-(08|09) above a surface, which single precision knows to [0-9.]+e-0[78]: "
+          "s.xml:5:1: the light is [0-9.]+e-(08|09) above a surface, which single precision resolves to "
+          "[0-9.]+e-0[78]: "
           "light that grazes it there is not known\n"
-          "s.xml:6:1: the light's angle to a face has the sine 1e-05, which single precision knows to [0-9.]+e-08: "
+          "s.xml:6:1: the light's angle to a face has the sine 1e-05, which single precision resolves to [0-9.]+e-08: "
           "light that grazes it there may be off by [0-9.]+ %\n"));
 }
 

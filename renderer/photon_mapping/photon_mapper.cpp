@@ -69,7 +69,8 @@ std::string photons_words(const PhotonSettings& settings, const RenderJob& job, 
   char number[32];
   std::snprintf(number, sizeof number, "%g", radius);
   if (settings.textbook) {
-    words += radius > 0 ? std::string(", at first within ") + number : ", at first within the radius that a pilot says";
+    words +=
+        radius > 0 ? std::string(", at first within ") + number : ", at first within the radius that a pilot chooses";
     std::snprintf(number, sizeof number, "%g", settings.textbook->alpha);
     return words + ", which shrinks with alpha " + number;
   }
@@ -80,14 +81,14 @@ std::string photons_words(const PhotonSettings& settings, const RenderJob& job, 
 /// Text on the length of camera paths.
 std::string camera_paths_words(const PhotonSettings& settings, bool any_global_map) {
   if (settings.indirect == IndirectLight::gather && any_global_map)
-    return "one bounce further than their first diffuse surface (final gather), or two where that ends nearer than "
-           "photons are looked up; there photons of both maps are looked up, at the surfaces before caustic ones";
+    return "one bounce further than their first diffuse surface (final gather), or two where that bounce is shorter "
+           "than a gather's radius. There photons of both maps are looked up; at the surfaces before, caustic ones";
   if (settings.indirect == IndirectLight::cache && any_global_map) {
     char number[32];
     std::snprintf(number, sizeof number, "%g", settings.cache_error);
     return "to their first diffuse surface, between points of an irradiance cache that is made beforehand (" +
            counted(static_cast<std::size_t>(settings.gather_rays), "ray", "rays") + " a point, error up to " + number +
-           "): what it has wrong does not fall with more samples";
+           "). Its error does not fall with more samples";
   }
   if (settings.indirect == IndirectLight::path)
     return "on by path tracing; caustic photons are looked up at their first two diffuse surfaces";
@@ -95,7 +96,7 @@ std::string camera_paths_words(const PhotonSettings& settings, bool any_global_m
   if (!settings.textbook) words += ", once for all samples of a pixel that end alike";
   if (settings.indirect == IndirectLight::automatic && any_global_map)
     words += "; or on by path tracing without a global map, if a pilot of " + std::to_string(pilot_camera_paths) +
-             " of them says that it is sooner as near to the image";
+             " of them expects the same error in less time";
   return words;
 }
 

@@ -108,11 +108,9 @@ void say_if_few_arrive(const MapState& global, std::int64_t passes, RenderStats&
   const bool few_in_disc = global.gathers > 0 && matters && in_disc < few_photons_in_disc;
   if (!few_emitted && !few_in_disc) return;
   char text[160];
-  std::snprintf(
-      text, sizeof text,
-      "of %.3g photon%s %.2g are in the disc of a gather: too few arrive where the camera looks for the error "
-      "to be known",
-      static_cast<double>(global.counts.emitted), global.counts.emitted == 1 ? "" : "s", in_disc);
+  std::snprintf(text, sizeof text,
+                "%.2g of %.3g photon%s are in the disc of a gather: too few arrive where the camera looks", in_disc,
+                static_cast<double>(global.counts.emitted), global.counts.emitted == 1 ? "" : "s");
   stats.losses.emplace_back(text);
 }
 
@@ -123,11 +121,10 @@ void say_if_narrow(const MapState& caustic, const Scene& scene, RenderStats& sta
       caustic.counts.around_one >= few_photons_in_disc)
     return;
   char text[200];
-  std::snprintf(
-      text, sizeof text,
-      "of %.3g caustic photons %.2g are within %.3g of one of them: caustics are noise whose error is not known",
-      static_cast<double>(caustic.counts.stored), caustic.counts.around_one,
-      double{caustic.radii.radius} / scene.scale());
+  std::snprintf(text, sizeof text,
+                "%.2g of %.3g caustic photons are within %.3g of one of them: caustics are noise of unknown error",
+                caustic.counts.around_one, static_cast<double>(caustic.counts.stored),
+                double{caustic.radii.radius} / scene.scale());
   stats.losses.emplace_back(text);
 }
 

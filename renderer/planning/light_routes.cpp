@@ -58,7 +58,8 @@ constexpr LightFinder finders[] = {
     {"sppm", photon_mapper_finds, true, true, thrown_on_sharp},
     {"volpath", volpath_finds, true, true,
      "light of lights without size that mirrors, glass or clear coats send on (caustics)"},
-    {"ptracer", ptracer_finds, false, true, "what the camera sees in mirrors, glass, clear coats or through holes"},
+    {"ptracer", ptracer_finds, false, true,
+     "light that the camera sees in mirrors, glass, clear coats or through holes"},
     {"whitted", whitted_finds, false, false, "light that surfaces throw on each other (interreflection and caustics)"},
     {"direct", direct_finds, false, false, "light that is reflected or refracted more than once"},
 };

@@ -87,7 +87,7 @@ class Writer {
     for (const EngineRecord& engine : view_.engines) {
       rows.push_back({markdown_text(engine.name), markdown_text(engine.title), markdown_text(engine.version)});
     }
-    return text + table({"Engine", "What it is", "Version"}, rows, 3);
+    return text + table({"Engine", "Description", "Version"}, rows, 3);
   }
 
   static std::string plain_table(const PlainTable& plain, std::size_t numbers_from) {

@@ -24,7 +24,7 @@ void describe(V& v, GradedRun& r) {
   v.field("cpu_seconds", r.cpu_seconds);
   v.field("peak_bytes", r.peak_bytes);
   v.field("image", r.image, {.file = true});
-  v.field("checksum", r.checksum, {.says = "of the image's values"});
+  v.field("checksum", r.checksum, {.says = "checksum of the image's values"});
   v.field("log", r.log_tail);
 }
 
@@ -41,7 +41,7 @@ void describe(V& v, GradedCheck& r) {
 
 template <class V>
 void describe(V& v, GradedFinding& r) {
-  v.record("finding", "what is wrong with the image");
+  v.record("finding", "a mistake of the image");
   v.field("kind", r.kind);
   v.field("sentence", r.sentence);
   v.field("cause", r.cause);
@@ -92,7 +92,7 @@ void describe(V& v, GradeFlag& r) {
   v.field("kind", r.kind);
   v.field("sentence", r.sentence);
   v.field("scene", r.scene);
-  v.field("other", r.other, {.says = "which other submission or scene"});
+  v.field("other", r.other, {.says = "the other submission or scene"});
 }
 
 template <class V>
@@ -125,9 +125,9 @@ void describe(V& v, GradedScene& r) {
   v.field("max_points", r.max_points);
   v.field("width", r.width);
   v.field("height", r.height);
-  v.field("of", r.of, {.says = "of a variant: its scene"});
+  v.field("of", r.of, {.says = "the scene that a variant is made from"});
   v.field("variant", r.variant, {.says = "its kind"});
-  v.field("says", r.says, {.says = "what the variant changes"});
+  v.field("says", r.says, {.says = "the change of the variant"});
   v.field("reference", r.reference, {.says = "where it comes from"});
   v.field("image", r.reference_image, {.file = true});
   v.field("picture", r.reference_picture, {.file = true});
@@ -144,7 +144,7 @@ void describe(V& v, SpeedTier& r) {
 template <class V>
 void describe(V& v, Grades& r) {
   v.record("photonproof grades",
-           "What was found out about a class. Times are in seconds, sizes in bytes; paths are relative to this file.");
+           "The findings about a class. Times are in seconds, sizes in bytes; paths are relative to this file.");
   v.version("grades_version", grades_version);
   v.field("assignment", r.assignment);
   v.field("title", r.title);

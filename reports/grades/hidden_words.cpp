@@ -36,7 +36,7 @@ struct Mistake {
   std::string_view kind, sentence, cause;
 };
 constexpr Mistake mistakes[] = {
-    {"wrong-size", "the image has another size than was asked for", "the size asked for is not heeded"},
+    {"wrong-size", "the image has another size than was asked for", "the size asked for is ignored"},
     {"not-finite", "pixels are not a number", "a division by zero or the square root of a negative number"},
     {"unrendered", "parts of the image are black",
      "they were never rendered: work was divided wrongly, or threads ended too early"},
@@ -73,7 +73,7 @@ constexpr Mistake mistakes[] = {
      "light is counted twice or halved, a factor of pi is missing, or a number of samples enters wrongly"},
     {"ambient", "everything is brighter by the same amount", "a constant ambient term is added"},
     {"other-scene", "the same image as of another scene",
-     "the scene asked for is not heeded, or an image left from another run was taken"},
+     "the scene asked for is ignored, or an image left from another run was taken"},
     {"direct-missing", "direct light missing", "lamps are not sampled, or every shadow ray is blocked"},
     {"direct-twice", "direct light counted twice", "lamps are added by sampling and by photons, too"},
     {"direct-energy", "direct light too bright or too dark", "the lamp's power, area or sampling density is wrong"},

@@ -74,7 +74,7 @@ void describe(V& v, SceneRecord& r) {
           {.says = "label of the result the scene is compared with; empty when its reference is stored"});
   v.maybe("reference", r.reference);
   v.maybe("reference_doubt", r.reference_doubt, {.says = "why errors against the reference are not errors"});
-  v.maybe("hdr_flip_exposures", r.hdr_exposures, {.says = "of hdr_flip; absent where the scene pins none"});
+  v.maybe("hdr_flip_exposures", r.hdr_exposures, {.says = "exposures of hdr_flip; absent where the scene pins none"});
 }
 
 template <class V>
@@ -132,7 +132,8 @@ void describe(V& v, Result& r) {
   v.maybe("calibration", r.calibration);
   v.field("metrics", r.metrics);
   v.field("image", r.image, {.file = true});
-  v.maybe("image_checksum", r.image_checksum, {.says = "of the image's file as it was measured", .checksum = true});
+  v.maybe("image_checksum", r.image_checksum,
+          {.says = "checksum of the image's file as it was measured", .checksum = true});
   v.field("pictures", r.pictures, {.file = true});
   v.field("phases", r.phases, {.least = 0});
   v.field("counts", r.counts);
@@ -181,7 +182,7 @@ void describe(V& v, Convergence& r) {
   v.record("convergence", "error against time of one engine on one scene");
   v.field("scene", r.scene, {.filled = true});
   v.field("engine", r.engine, {.filled = true});
-  v.maybe("clock", r.clock, {.says = "what its seconds are of; wall if absent"});
+  v.maybe("clock", r.clock, {.says = "the clock of its seconds; wall if absent"});
   v.field("points", r.points);
   v.maybe("slope", r.slope);
   v.maybe("efficiency", r.efficiency);
@@ -226,7 +227,7 @@ void describe(V& v, FailingTile& r) {
 
 template <class V>
 void describe(V& v, GateRecord& r) {
-  v.record("gate", "what one gate decided");
+  v.record("gate", "the verdict of one gate");
   v.field("name", r.name, {.filled = true});
   v.field("scene", r.scene, {.filled = true});
   v.field("engine", r.engine, {.filled = true});
@@ -267,11 +268,11 @@ void describe(V& v, ChangeRecord& r) {
 template <class V>
 void describe(V& v, Results& r) {
   v.record("photonproof results",
-           "One benchmark run: what was measured, how, and on which machine. A quantity that is undefined is absent; "
-           "numbers are finite; times are in seconds, sizes in bytes; paths are relative to this file.");
+           "One benchmark run: what was measured, how, and on which machine. A quantity that is undefined is absent. "
+           "Numbers are finite. Times are in seconds, sizes in bytes; paths are relative to this file.");
   v.version("schema_version", results_schema_version);
   v.field("suite", r.suite);
-  v.maybe("title", r.title, {.says = "of the suite: a report's heading"});
+  v.maybe("title", r.title, {.says = "title of the suite: a report's heading"});
   v.field("created", r.created, {.says = "UTC, ISO 8601"});
   v.field("command", r.command, {.says = "how the whole run is repeated"});
   v.field("host", r.host);

@@ -18,7 +18,7 @@ void describe(V& v, StressLevel& r) {
   v.field("height", r.height);
   v.field("outcome", r.outcome);
   v.field("sentence", r.sentence);
-  v.field("seconds", r.seconds, {.says = "of its renders, by the wall clock"});
+  v.field("seconds", r.seconds, {.says = "time of its renders by the wall clock"});
   v.maybe("would_see", r.would_see,
           {.says = "the relative error of the mean that would have been seen, probability 0.99"});
   v.maybe("picture", r.picture, {.says = "PNG", .file = true});
@@ -31,7 +31,7 @@ void describe(V& v, StressSweep& r) {
   v.field("feature", r.feature);
   v.field("climb", r.sweep_run);
   v.field("engine", r.engine);
-  v.field("measure", r.measure, {.says = "what a height is: a unit of length of 10^k"});
+  v.field("measure", r.measure, {.says = "the meaning of a height: a unit of length of 10^k"});
   v.field("wanted", r.wanted, {.says = "the height that should be right"});
   v.field("rungs", r.levels);
   v.maybe("not_climbed", r.not_swept, {.says = "why the engine does not render the feature"});
@@ -42,11 +42,11 @@ void describe(V& v, StressSweep& r) {
 template <class V>
 void describe(V& v, StressRecord& r) {
   v.record("photonproof stress",
-           "Where each feature breaks in each engine, and whether that is said. Paths are relative to this file.");
+           "Where each feature breaks in each engine, and whether that is reported. Paths are relative to this file.");
   v.version("schema_version", 1);
   v.field("created", r.created, {.says = "UTC, ISO 8601"});
   v.field("program", r.program, {.says = "its version"});
-  v.field("checksum", r.checksum, {.says = "of the program's file"});
+  v.field("checksum", r.checksum, {.says = "checksum of the program's file"});
   v.field("host", r.host);
   v.field("command", r.command);
   v.field("quick", r.quick);

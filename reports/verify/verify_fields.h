@@ -39,9 +39,9 @@ void describe(V& v, VerifyPicture& r) {
   v.field("command", r.command);
   v.field("seconds", r.seconds, {.least = 0});
   v.field("samples", r.samples, {.says = "a pixel; 0 where the budget does not count them"});
-  v.field("mean", r.mean, {.says = "of the image, by channel"});
+  v.field("mean", r.mean, {.says = "mean of the image, by channel"});
   v.field("declared_whole", r.declared_whole, {.says = "known relative error of the mean", .least = 0});
-  v.field("declared_block", r.declared_block, {.says = "of a block of 8 x 8 pixels", .least = 0});
+  v.field("declared_block", r.declared_block, {.says = "known error of a block of 8 x 8 pixels", .least = 0});
   v.field("declared_reason", r.declared_reason);
   v.field("losses", r.losses);
   v.field("picture", r.picture, {.says = "PNG; empty without"});
@@ -54,7 +54,7 @@ void describe(V& v, VerifyPair& r) {
   v.field("second", r.second);
   v.field("verdict", r.verdict, {.words = verify_pair_verdicts});
   v.field("sentence", r.sentence);
-  v.field("shift", r.shift, {.says = "of the second's mean from the first's, relative"});
+  v.field("shift", r.shift, {.says = "relative difference of the second's mean from the first's"});
   describe_finite(v, "whole_shift", r.whole_shift);
   describe_finite(v, "would_see", r.would_see,
                   {.says = "the least relative error of the mean that shows with probability 0.99", .least = 0});
@@ -66,7 +66,7 @@ template <class V>
 void describe(V& v, VerifyFault& r) {
   v.record("fault");
   v.field("engine", r.engine);
-  v.field("sentence", r.sentence, {.says = "by how much, where, in which channel"});
+  v.field("sentence", r.sentence, {.says = "the size, the place and the channel of the difference"});
   v.field("place", r.place);
   v.field("pass", r.pass, {.says = "empty: not found"});
   v.field("pass_words", r.pass_words);
@@ -110,10 +110,11 @@ void describe(V& v, VerifyScene& r) {
 
 template <class V>
 void describe(V& v, VerifyRecord& r) {
-  v.record("photonproof verify",
-           "Which engines agree on each scene, how small an error each pair would have shown, and who is wrong where "
-           "they do not. A number that is undefined is absent; times are in seconds, errors relative; paths are "
-           "relative to this file.");
+  v.record(
+      "photonproof verify",
+      "The engines that agree on each scene, the least error that each pair would have shown, and the engine that is "
+      "wrong where they differ. An undefined number is absent. Times are in seconds, errors relative; paths are "
+      "relative to this file.");
   v.version("schema_version", 1);
   v.field("created", r.created, {.says = "UTC, ISO 8601"});
   v.field("program", r.program);

@@ -13,7 +13,7 @@ std::string verify_markdown(const VerifyRecord& record) {
   std::string text = fmt::format("{:.0f} s on {}, {}. {}\n\n{}\n", record.seconds, record.host, record.program,
                                  overview.totals, verify_overview_words);
   text +=
-      "`seen`: the least error of the mean that every pair of those who agree would have shown; `s`: of all engines, "
+      "`seen`: the least error of the mean that every agreeing pair would have shown; `s`: seconds of all engines, "
       "pairs and passes.\n\n| scene | verdict |";
   for (const std::string& column : overview.columns) text += " " + column + " |";
   text += " seen | s |\n|---|---|";

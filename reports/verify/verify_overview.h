@@ -30,7 +30,7 @@ struct VerifyOverview {
 VerifyOverview verify_overview(const VerifyRecord& record);
 
 inline constexpr const char* verify_overview_words =
-    "Each the mean of the image relative to the base's, of the channel that is off most, and ssim. ✗ differs by more "
-    "than noise and what is declared explain, ? is not known, – is not rendered.";
+    "A cell has the image's mean relative to the base's, in the channel that is off most, and ssim. The signs: ✗ is a "
+    "difference beyond noise and the declared error, ? is not known, – is not rendered.";
 
 }  // namespace photonproof::inline reports_verify

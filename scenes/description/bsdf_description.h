@@ -83,7 +83,7 @@ template <class P, class Rough>
 void describe_facets(P& p, Rough& d) {
   p.choice("distribution", d.distribution,
            {{"beckmann", MicrofacetDistribution::beckmann}, {"ggx", MicrofacetDistribution::ggx}},
-           "of the microfacets' normals");
+           "distribution of the microfacets' normals");
   p.boolean("sample_visible", d.sample_visible, "draws the normals that are seen");
 }
 
@@ -229,7 +229,7 @@ struct PhongDescription {
 template <class P>
 void describe(P& p, PhongDescription& d) {
   p.plugin("phong", "extension: modified Phong, parameters of Mitsuba 0.6");
-  p.number_map("exponent", d.exponent, scene_xml::kNotNegative, "of the cosine to the mirror direction");
+  p.number_map("exponent", d.exponent, scene_xml::kNotNegative, "exponent of the cosine to the mirror direction");
   p.colour_map("diffuse_reflectance", d.diffuse_reflectance, scene_xml::kShare, "albedo of the diffuse part");
   p.colour_map("specular_reflectance", d.specular_reflectance, scene_xml::kShare, "albedo of the glossy part");
 }

@@ -81,8 +81,8 @@ template <class P>
 void describe(P& p, DirectDescription& d) {
   p.plugin("direct", "direct light");
   p.also("shading_samples", scene_xml::ParamType::integer, "1", "in place of the next two, for both");
-  p.integer("emitter_samples", d.emitter_samples, 0, 1 << 16, "of lights, a camera sample");
-  p.integer("bsdf_samples", d.bsdf_samples, 0, 1 << 16, "of directions, a camera sample; not both 0");
+  p.integer("emitter_samples", d.emitter_samples, 0, 1 << 16, "samples of lights for each camera sample");
+  p.integer("bsdf_samples", d.bsdf_samples, 0, 1 << 16, "samples of directions for each camera sample; not both 0");
   p.boolean("hide_emitters", d.hide_emitters, "the camera does not see lights");
 }
 
@@ -134,19 +134,20 @@ void describe(P& p, PhotonMapperDescription& d) {
   describe_limits(p, d);
   p.integer("global_photons", d.global_photons, 0, most, "emitted for the global map; 0: a quarter of the samples");
   p.integer("caustic_photons", d.caustic_photons, 0, most, "emitted for the caustic map; 0: a quarter of the samples");
-  p.number("global_radius", d.global_radius, radius, "of a gather, scene units");
-  p.number("caustic_radius", d.caustic_radius, radius, "of a gather, scene units");
+  p.number("global_radius", d.global_radius, radius, "radius of a gather, scene units");
+  p.number("caustic_radius", d.caustic_radius, radius, "radius of a gather, scene units");
   p.choice("indirect", d.indirect, indirect_words,
-           "light between diffuse surfaces: photons of the global map looked up at the first of them, one bounce "
-           "further, or that at few points, between which is interpolated; path tracing; map or path as a pilot says");
-  p.number("cache_error", d.cache_error, {0, 1, nullptr, true}, "of interpolation, at most, as Ward reckons it");
-  p.integer("gather_rays", d.gather_rays, 4, 1 << 20, "of each point that is interpolated between");
+           "light between diffuse surfaces, by global photons at the first (map), one bounce further (gather), "
+           "interpolated between such points (cache), or by paths; `automatic` asks a pilot");
+  p.number("cache_error", d.cache_error, {0, 1, nullptr, true},
+           "the largest error of interpolation, by Ward's estimate");
+  p.integer("gather_rays", d.gather_rays, 4, 1 << 20, "rays of each point of the cache");
 }
 
 /// Stochastic progressive photon mapping (Hachisuka and Jensen 2009; Knaus and Zwicker 2011).
 struct SppmDescription : PathLimits {
   std::int64_t photons = 250'000;  ///< per pass, for each map
-  double radius = 0;               ///< of the first pass, scene units; 0: automatic
+  double radius = 0;               ///< radius of the first pass, scene units; 0: automatic
   double alpha = 2.0 / 3;          ///< r^2 of pass i + 1 is (i + alpha) / (i + 1) of that of pass i
   friend bool operator==(const SppmDescription&, const SppmDescription&) = default;
 };
@@ -157,8 +158,8 @@ void describe(P& p, SppmDescription& d) {
   describe_limits(p, d);
   p.integer("photons", d.photons, 1, 1'000'000'000, "emitted in every pass, for each map");
   p.number("radius", d.radius, {0, scene_xml::kUnbounded, "a positive length, or 0 for the automatic choice"},
-           "of the first pass, scene units");
-  p.number("alpha", d.alpha, {0, 1, nullptr, true, true}, "of a disc, what passes keep: 1 is all");
+           "radius of the first pass, scene units");
+  p.number("alpha", d.alpha, {0, 1, nullptr, true, true}, "share of a disc that passes keep: 1 is all");
 }
 
 struct IntegratorDescription {

@@ -184,7 +184,7 @@ template <class P>
 void describe(P& p, SunSkyDescription& d) {
   p.plugin("sunsky", "sun and clear sky, +z up");
   p.number("turbidity", d.turbidity, {1, 10}, "haze");
-  p.colour("albedo", d.albedo, scene_xml::kShare, "of the ground");
+  p.colour("albedo", d.albedo, scene_xml::kShare, "albedo of the ground");
   p.number("sun_scale", d.sun_scale, scene_xml::kNotNegative, "factor of the sun's radiance");
   p.number("sky_scale", d.sky_scale, scene_xml::kNotNegative, "factor of the sky's radiance");
   p.number("sun_aperture", d.sun_aperture_degrees, {0, 90, "more than 0 and less than 90 degrees", true, true},

@@ -149,7 +149,7 @@ void describe(P& p, MeshDescription& d) {
   p.plugin(names[format], "triangles of a file");
   p.file("filename", d.filename, files[format]);
   if (d.format == MeshDescription::Format::serialized)
-    p.integer("shape_index", d.shape_index, 0, 1 << 30, "which mesh of the file");
+    p.integer("shape_index", d.shape_index, 0, 1 << 30, "number of the mesh in the file");
   p.boolean("face_normals", d.face_normals, "shades flat, without normals of vertices");
   p.boolean("flip_tex_coords", d.flip_tex_coords, "v becomes 1 - v");
   describe_placed_shape(p);
@@ -246,7 +246,7 @@ void describe(P& p, SdfGridDescription& d) {
   p.file("filename", d.filename, "the name of a .vol file of one channel");
   p.choice("normals", d.normals,
            {{"smooth", SdfGridDescription::Normals::smooth}, {"analytic", SdfGridDescription::Normals::analytic}},
-           "of shading: continuous across voxels, or the gradient");
+           "normals of shading: continuous across voxels, or the gradient");
   describe_passive_shape(p);
   p.nested("medium", 2, "media named `interior` and `exterior`");
 }

@@ -17,7 +17,8 @@ struct PerspectiveDescription {
   FovAxis fov_axis = FovAxis::x;
   double near_clip = 1e-2;
   double far_clip = 1e4;
-  double principal_x = 0, principal_y = 0;  ///< offset of the principal point, fractions of the film's width and height
+  double principal_x = 0,
+         principal_y = 0;  ///< offset of the principal point, fractions share of the film's width and height
   friend bool operator==(const PerspectiveDescription&, const PerspectiveDescription&) = default;
 };
 
@@ -36,15 +37,15 @@ void describe_field_of_view(P& p, double& degrees, FovAxis& axis) {
               {"diagonal", FovAxis::diagonal},
               {"smaller", FovAxis::smaller},
               {"larger", FovAxis::larger}},
-             "what `fov` is along");
+             "the axis of `fov`");
   });
 }
 
 template <class P>
 void describe_lens(P& p, PerspectiveDescription& d) {
   describe_field_of_view(p, d.fov_degrees, d.fov_axis);
-  p.number("principal_point_offset_x", d.principal_x, scene_xml::kAny, "of the film's width");
-  p.number("principal_point_offset_y", d.principal_y, scene_xml::kAny, "of the film's height");
+  p.number("principal_point_offset_x", d.principal_x, scene_xml::kAny, "share of the film's width");
+  p.number("principal_point_offset_y", d.principal_y, scene_xml::kAny, "share of the film's height");
   describe_clips(p, d);
 }
 

@@ -58,7 +58,7 @@ void replace_hair(Element& bsdf, StandInNotes& notes) {
   take_parameter(left, "scale_tilt");
   for (const char* name : {"int_ior", "ext_ior"}) take_parameter(left, name);
   if (!left.children.empty()) return;
-  notes.add_stand_in(bsdf, "principled", "of the colour of a full head of hair, without light through hairs");
+  notes.add_stand_in(bsdf, "principled", "it has the colour of a full head of hair, without light through hairs");
   bsdf.children.clear();
   set_attribute(bsdf, "type", "principled");
   std::string colour;

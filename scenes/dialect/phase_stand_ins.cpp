@@ -31,7 +31,7 @@ void replace_phase(Element& phase, StandInNotes& notes) {
     values.push_back(*parsed.value);
   }
   if (values.size() < 2) return;
-  notes.add_stand_in(phase, "hg", "of the same mean cosine");
+  notes.add_stand_in(phase, "hg", "it has the same mean cosine");
   set_attribute(phase, "type", "hg");
   phase.children.clear();
   add_parameter(phase, "float", "g", format_number(std::clamp(mean_cosine(values), -0.999, 0.999)));

@@ -158,7 +158,7 @@ class Translator {
 
 const std::vector<HarmlessParameter>& harmless_parameters() {
   static const std::vector<HarmlessParameter> table = {
-      {"bsdf", "allow_transmission", "what Mitsuba checks"},
+      {"bsdf", "allow_transmission", "a check of Mitsuba's"},
       {"bsdf", "specular_sampling_weight", "how samples are drawn"},
       {"emitter", "cache", "how a file is read"},
       {"emitter", "gamma", "how a file is read"},
@@ -167,12 +167,12 @@ const std::vector<HarmlessParameter>& harmless_parameters() {
       {"emitter", "sampling_weight", "how lights are chosen"},
       {"film", "attach_log", "a log in the file"},
       {"film", "banner", "a banner in the picture"},
-      {"film", "burn", "of tone mapping: images are linear"},
+      {"film", "burn", "tone mapping: images are linear"},
       {"film", "compensate", "how sums are rounded"},
-      {"film", "exposure", "of tone mapping: images are linear"},
-      {"film", "gamma", "of tone mapping: images are linear"},
-      {"film", "key", "of tone mapping: images are linear"},
-      {"film", "tonemap_method", "of tone mapping: images are linear"},
+      {"film", "exposure", "tone mapping: images are linear"},
+      {"film", "gamma", "tone mapping: images are linear"},
+      {"film", "key", "tone mapping: images are linear"},
+      {"film", "tonemap_method", "tone mapping: images are linear"},
       {"integrator", "block_size", "how work is cut"},
       {"integrator", "brute_force", "how samples are drawn"},
       {"integrator", "granularity", "how work is cut"},
@@ -199,18 +199,18 @@ const std::vector<HarmlessParameter>& harmless_parameters() {
       {"scene", "kd_max_depth", "how rays meet shapes"},
       {"scene", "kd_min_max_bins", "how rays meet shapes"},
       {"scene", "kd_stop_primitives", "how rays meet shapes"},
-      {"sensor", "aperture_shape", "of lenses with blades"},
+      {"sensor", "aperture_shape", "lenses with blades"},
       {"sensor", "focus_distance", "without a lens everything is sharp"},
       {"shape", "collapse", "how a file is read"},
       {"shape", "load_materials", "how a file is read"},
       {"shape", "silhouette_sampling_weight", "of derivatives"},
-      {"shape", "srgb", "of colours at vertices"},
+      {"shape", "srgb", "colours at vertices"},
       {"shape", "vertex_merging", "how a file is read"},
-      {"texture", "accel", "of graphics processors"},
+      {"texture", "accel", "graphics processors"},
       {"texture", "cache", "how a file is read"},
-      {"texture", "format", "of graphics processors"},
+      {"texture", "format", "graphics processors"},
       {"texture", "max_anisotropy", "filters of Mitsuba 0.6"},
-      {"volume", "accel", "of graphics processors"}};
+      {"volume", "accel", "graphics processors"}};
   return table;
 }
 

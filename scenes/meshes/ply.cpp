@@ -71,7 +71,7 @@ class MeshReader {
     fail_at_offset(file_, bytes_.substr(0, header_.size), element.offset,
                    "element " + in_quotes(element.name) + " has " + std::to_string(element.count) +
                        " rows of at least " + std::to_string(least) +
-                       " bytes each, more than the rest of the file holds: it is truncated or its header is wrong");
+                       " bytes each, more than the rest of the file: it is truncated or its header is wrong");
   }
 
   template <class Values>

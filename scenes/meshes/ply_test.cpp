@@ -253,14 +253,14 @@ INSTANTIATE_TEST_SUITE_P(
                 binary("element vertex 100000000\nproperty float x\nproperty float y\nproperty float z\n" + kFaces,
                        kBinaryCorners),
                 at("3:1",
-                   "element 'vertex' has 100000000 rows of at least 12 bytes each, more than the rest of the file "
-                   "holds: it is truncated or its header is wrong",
+                   "element 'vertex' has 100000000 rows of at least 12 bytes each, more than the rest of the file: it "
+                   "is truncated or its header is wrong",
                    "element vertex 100000000")},
         Refusal{"faces_beyond_the_file",
                 ascii(kVertices + "element face 1000\nproperty list uchar int vertex_indices\n", kCorners + "3 0 1 2"),
                 at("7:1",
-                   "element 'face' has 1000 rows of at least 2 bytes each, more than the rest of the file holds: it "
-                   "is truncated or its header is wrong",
+                   "element 'face' has 1000 rows of at least 2 bytes each, more than the rest of the file: it is "
+                   "truncated or its header is wrong",
                    "element face 1000")}),
     name_of);
 

@@ -118,11 +118,10 @@ void PluginRows::transform(const char* name, const Transform&, const char* what)
 }
 
 void PluginRows::metal(const std::optional<ComplexIor>&) {
-  add("material", ParamType::string, "none", "none or a name", "none mirrors all light alike");
+  add("material", ParamType::string, "none", "none or a name", "`none` mirrors all light alike");
   add("eta", ParamType::colour, "0", text_of(kNotNegative), "in place of `material`: index of refraction");
   add("k", ParamType::colour, "1", text_of(kNotNegative), "in place of `material`: extinction");
-  add("ext_eta", ParamType::ior, "1", "0.001 to 1000, or a name",
-      "of Mitsuba 0.6: index of refraction before the metal");
+  add("ext_eta", ParamType::ior, "1", "0.001 to 1000, or a name", "Mitsuba 0.6's index of refraction before the metal");
 }
 
 void PluginRows::roughness(const Scalar& alpha_u, const Scalar&) {
@@ -145,9 +144,9 @@ void PluginRows::sun(const Vec3d&, const Transform&, const char* what) {
 
 void PluginRows::crop(const FilmDescription&) {
   for (const char* name : {"crop_offset_x", "crop_offset_y"})
-    add(name, ParamType::integer, "0", "", "of what is rendered");
-  add("crop_width", ParamType::integer, "`width`", "", "of what is rendered");
-  add("crop_height", ParamType::integer, "`height`", "", "of what is rendered");
+    add(name, ParamType::integer, "0", "", "part of the film that is rendered");
+  add("crop_width", ParamType::integer, "`width`", "", "part of the film that is rendered");
+  add("crop_height", ParamType::integer, "`height`", "", "part of the film that is rendered");
 }
 
 void PluginRows::nested(const char* tag, std::size_t most, const char* what) {

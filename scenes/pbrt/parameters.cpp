@@ -170,7 +170,7 @@ void PbrtParameters::ignore(std::initializer_list<std::string_view> names) const
 
 void PbrtParameters::finish() const {
   for (std::size_t i = 0; i < list_.size(); ++i)
-    if (!read_[i]) fail(list_[i], "of type " + in_quotes(list_[i].type) + " is not supported here");
+    if (!read_[i]) fail(list_[i], "with type " + in_quotes(list_[i].type) + " is not supported here");
 }
 
 void PbrtParameters::fail(const PbrtParameter& parameter, const std::string& message) const {

@@ -253,7 +253,7 @@ TEST_F(PbrtSceneTest, all_problems_are_told_at_their_places) {
                      "Shape \"sphere\"\n"
                      "Shape \"sphere\" \"float radius\" \"x\"\n"
                      "AttributeEnd\n"),
-            "scene.pbrt:1:22: Camera 'perspective': parameter 'fow' of type 'float' is not supported here\n"
+            "scene.pbrt:1:22: Camera 'perspective': parameter 'fow' with type 'float' is not supported here\n"
             "scene.pbrt:3:1: Shape 'curve': is not supported, expected trianglemesh, plymesh, bilinearmesh, "
             "loopsubdiv, sphere, disk or cylinder\n"
             "scene.pbrt:4:3: unknown directive 'Foo'\n"

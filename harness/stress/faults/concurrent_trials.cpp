@@ -44,7 +44,7 @@ TrialResult two_runs_trial(const Trial& trial) {
   for (const auto& [name, end] : {std::pair{"first", &first_end}, {"second", &second_end}})
     if (!has_succeeded(*end, trial) && !is_refused(*end))
       result.broken = std::string("the ") + name + " of two runs " + end->sentence();
-  if (result.broken.empty() && !succeeded) result.broken = "of two runs neither succeeded: " + first_end.sentence();
+  if (result.broken.empty() && !succeeded) result.broken = "both of two runs failed: " + first_end.sentence();
   FinishedParts finished;
   if (result.broken.empty()) result.broken = what_was_lost(trial, {}, finished);
   if (result.broken.empty()) result.broken = what_differs_when_finished(trial, finished);

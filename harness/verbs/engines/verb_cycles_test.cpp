@@ -82,8 +82,8 @@ TEST_F(VerbCycles, refuses_with_3_before_blender_is_started) {
   put_blender("touch '" + path("started") + "'; exit 1");
   expect_end(cycles("roughplastic"), 3,
              path("scene.xml") +
-                 ":1:223: error: not representable in Cycles: a rough plastic: what enters its coat depends on the "
-                 "light's direction, and the colour of Cycles' diffuse reflection on the viewer's alone");
+                 ":1:223: error: not representable in Cycles: a rough plastic: light enters its coat by the light's "
+                 "direction, and the colour of Cycles' diffuse reflection depends on the viewer's alone");
   EXPECT_FALSE(has("started"));
 }
 

@@ -1,0 +1,1 @@
+const char* expected = "of all messages this one is a test's";
