@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Finds links of pages to files or headings that do not exist, and pages that no page links to.
+"""Finds links of pages to files or headings that do not exist, and pages that no page or no menu of the site links to.
 
   docs_links.py ROOT     every page of the top folder and of docs/
 
@@ -56,7 +56,17 @@ def problems_of(root):
                     problems.append(f"{name}:{number}: no heading {target}")
     problems += [f"{page.relative_to(root)}:1: no page links to it"
                  for page in pages if page not in linked and page.name not in ("README.md", "index.md")]
-    return problems, len(pages)
+    return problems + missing_in_menu(root), len(pages)
+
+
+def missing_in_menu(root):
+    """Pages that docs/mkdocs.yml does not list. The site's build ends at them."""
+    menu = root / "docs/mkdocs.yml"
+    if not menu.exists():
+        return []
+    listed = set(re.findall(r"(?m)^ +- [^:\n]+: (\S+\.md)$", menu.read_text()))
+    pages = {page.relative_to(root / "docs").as_posix() for page in (root / "docs").rglob("*.md")}
+    return [f"docs/mkdocs.yml:1: the menu lacks {page}" for page in sorted(pages - listed)]
 
 
 def main(root):
