@@ -258,6 +258,12 @@ def plain_shape_cases():
     yield Case("cylinder p0", scene(shape("cylinder", point("p0", "-0.5,0,0.2"), TURN, PAINT)))
     yield Case("cylinder p1", scene(shape("cylinder", point("p1", "0.5,1.5,0"), TURN, PAINT)))
     yield Case("cylinder radius", scene(shape("cylinder", number("radius", 0.4), TURN, PAINT)))
+    flat = place('<scale x="1.1" y="0.4"/>', '<rotate x="1" angle="-20"/>', '<translate y="0.5"/>')
+    yield Case("disk to_world uneven", scene(shape("disk", flat, PAINT)))
+    yield Case("disk to_world uneven, emitter", scene(shape("disk", flat, GLOW)))
+    for name, what in (("", PAINT), (", emitter", GLOW)):
+        yield Case(f"cylinder to_world uneven{name}", scene(shape("cylinder", point("p0", "0,-0.2,0"), point("p1", "0,1,0"), place(
+            '<scale x="0.5" y="1.3" z="0.5"/>', '<rotate z="1" angle="30"/>'), what)))
     yield Case("rectangle to_world uneven", scene(shape("rectangle", place(
         '<scale x="1.2" y="0.4"/>', '<rotate y="1" angle="30"/>', '<translate y="0.5"/>'), PAINT)))
     yield Case("rectangle emitter uneven", scene(shape("rectangle", place(
@@ -502,6 +508,7 @@ def nested_bsdfs():
         yield "bumpmap", f"{name} neither", bumps + off[0] + off[1] + nested
         normals = picture("normalmap", boolean("raw"), file="normals.exr")
         yield "normalmap", name, normals + nested
+        yield "normalmap", f"{name} of a colour", rgb("normalmap", "0.6,0.4,0.9") + nested
         yield "normalmap", f"{name} flip_invalid_normals", normals + off[0] + nested
         yield "normalmap", f"{name} use_shadowing_function", normals + off[1] + nested
     yield "bumpmap", "to_uv", picture("", place('<scale x="3" y="2"/>', name="to_uv"), file="bumps.exr") + number("scale", 0.1) + red
@@ -664,6 +671,9 @@ def cloud_cases():
     yield case("heterogeneous rayleigh", smoke, thick, element("phase", "rayleigh"))
     constant = element("volume", "constvolume", rgb("value", "0.9,0.6,0.2"), name="albedo")
     yield case("constvolume", smoke, thick, constant)
+    box = element("volume", "constvolume", rgb("value", "0.9,0.6,0.2"), place('<scale value="0.7"/>', '<translate y="0.1"/>'),
+                  name="sigma_t")
+    yield case("constvolume to_world", box, thick)
     for kind in ("nearest", "trilinear"):
         yield case(f"filter_type {kind}", volume("sigma_t", "smoke.vol", whole, string("filter_type", kind)), thick)
     for kind in ("repeat", "mirror", "clamp"):

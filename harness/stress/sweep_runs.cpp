@@ -69,6 +69,8 @@ SceneDescription in_another_unit(SceneDescription scene, double by) {
   for (MediumDescription& medium : scene.media) {
     std::visit([&](auto& model) { model.scale /= by; }, medium.model);
     for (GridVolumeDescription* volume : volumes_of(medium)) volume->to_world = scale * volume->to_world;
+    for (ConstantVolumeDescription* volume : volumes_of_kind<ConstantVolumeDescription>(medium))
+      volume->to_world = scale * volume->to_world;
   }
   scale_camera(scene.sensor, scale, by);
   if (auto* photons = std::get_if<PhotonMapperDescription>(&scene.integrator.method)) {

@@ -30,7 +30,7 @@ struct PluginColours {
     if (!emissions_only) set(v);
   }
   void volume(const char*, VolumeColour& v, const scene_xml::Range&, const char*) {
-    if (auto* colour = std::get_if<RgbD>(&v); colour != nullptr && !emissions_only) set(*colour);
+    if (RgbD* colour = constant_of(v); colour != nullptr && !emissions_only) set(*colour);
   }
   void metal(std::optional<ComplexIor>& ior) {
     if (!ior || emissions_only) return;

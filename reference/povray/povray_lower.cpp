@@ -263,9 +263,12 @@ class Lowering {
   }
 
   void place(PovSurface surface, const DiskDescription&) {
-    surface.uv = surface.shape->to_world;
+    const Transform& t = surface.shape->to_world;
+    if (std::abs(length(t.vector({0, 1, 0})) / length(t.vector({1, 0, 0})) - 1) > 1e-5)
+      throw Unrepresentable(scene_.description->where(surface.shape->loc), "a disk that is an ellipse");
+    surface.uv = t;
     surface.uv_kind = PovUv::disk;
-    add(surface, PovRound{PovRound::Kind::disk, surface.shape->to_world, surface.shape->flip_normals});
+    add(surface, PovRound{PovRound::Kind::disk, t, surface.shape->flip_normals});
   }
 
   void place(PovSurface surface, const CylinderDescription& cylinder) {

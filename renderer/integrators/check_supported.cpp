@@ -56,11 +56,9 @@ std::string advice(const SceneDescription& description, bool any_scatters) {
 double most_free_paths(const MediumDescription& medium) {
   const auto& cloud = std::get<HeterogeneousDescription>(medium.model);
   Vec3d edges(1.0);
-  Transform to_world;
-  if (const auto* grid = std::get_if<GridVolumeDescription>(&cloud.sigma_t)) {
-    to_world = grid->to_world;
-    if (grid->use_grid_bbox) edges = Vec3d(grid->grid->high) - Vec3d(grid->grid->low);
-  }
+  const Transform to_world = place_of(cloud.sigma_t);
+  const auto* grid = std::get_if<GridVolumeDescription>(&cloud.sigma_t);
+  if (grid != nullptr && grid->use_grid_bbox) edges = Vec3d(grid->grid->high) - Vec3d(grid->grid->low);
   double diagonal = 0;
   for (const Vec3d& edge : {Vec3d{edges.x, 0, 0}, {0, edges.y, 0}, {0, 0, edges.z}})
     diagonal += length(to_world.vector(edge));

@@ -8,9 +8,9 @@ namespace photonproof::inline renderer_media {
 namespace {
 
 /// From the unit cube over which the value is given to the frame of rays.
-Transform from_unit_cube(const GridVolumeDescription* grid, const MediaFrame& frame) {
-  Transform placed = Transform::translate(frame.moved) * Transform::scale(Vec3d(frame.scale));
-  if (grid != nullptr) placed = placed * grid->to_world;
+Transform from_unit_cube(const VolumeColour& value, const MediaFrame& frame) {
+  Transform placed = Transform::translate(frame.moved) * Transform::scale(Vec3d(frame.scale)) * place_of(value);
+  const auto* grid = std::get_if<GridVolumeDescription>(&value);
   if (grid != nullptr && grid->use_grid_bbox) {
     const Vec3d low(grid->grid->low), high(grid->grid->high);
     placed = placed * Transform::translate(low) * Transform::scale(high - low);
@@ -27,8 +27,7 @@ float bounded(float x) { return x > -most_index ? std::min(x, most_index) : -mos
 }  // namespace
 
 Volume::Volume(const VolumeColour& value, const MediaFrame& frame) {
-  const auto* grid = std::get_if<GridVolumeDescription>(&value);
-  const Transform placed = from_unit_cube(grid, frame), map = *placed.inverse();  // the parser refuses others
+  const Transform placed = from_unit_cube(value, frame), map = *placed.inverse();  // the parser refuses others
   Vec3d low = placed.point({0, 0, 0}), high = low;
   for (const int corner : {1, 2, 3, 4, 5, 6, 7}) {
     const Vec3d p = placed.point(Vec3d(corner & 1, corner >> 1 & 1, corner >> 2));
@@ -40,13 +39,14 @@ Volume::Volume(const VolumeColour& value, const MediaFrame& frame) {
   for (std::size_t row = 0; row < 3; ++row)
     axes_[row] = Vec3f(Vec3d(map.m[4 * row], map.m[4 * row + 1], map.m[4 * row + 2]));
   offset_ = Vec3f(Vec3d(map.m[3], map.m[7], map.m[11]));
-  if (grid == nullptr) {
-    constant_ = Rgb(std::get<RgbD>(value));
+  if (const RgbD* constant = constant_of(value)) {
+    constant_ = Rgb(*constant);
     return;
   }
-  grid_ = grid->grid;
-  filter_ = grid->filter;
-  wrap_ = grid->wrap;
+  const auto& grid = std::get<GridVolumeDescription>(value);
+  grid_ = grid.grid;
+  filter_ = grid.filter;
+  wrap_ = grid.wrap;
 }
 
 Vec3f Volume::local_point(const Vec3f& p) const {

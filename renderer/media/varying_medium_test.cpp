@@ -138,6 +138,17 @@ TEST(varying_medium, transmittance_of_a_linear_density_is_the_exponential_of_its
   flight.expect(linear_transmittance, "flight");
 }
 
+TEST(varying_medium, ends_at_the_box_of_a_constant_extinction) {
+  // Along (3, 4, 0)/5 the box from y = 2 to 4 is 2 / 0.8 long. In the unit cube, where the y of a ray from x = -0.6 is
+  // -0.3 to 1.03, the ray would be 1.25 long.
+  const ConstantVolumeDescription box{{0.2, 0.4, 0.1},
+                                      Transform::translate({-9, 2, -9}) * Transform::scale({20, 2, 20})};
+  const VaryingMedium medium({box, RgbD(0.0), 2, {}}, {});
+  Mean passed;
+  for (std::uint32_t i = 0; i < flights; ++i) passed.add(medium.transmittance(start, along, 100, draws(i)));
+  passed.expect({std::exp(-1.0), std::exp(-2.0), std::exp(-0.5)}, "2.5 x 2 sigma_t");
+}
+
 TEST(varying_medium, scatters_its_albedo_of_what_does_not_pass) {
   // The integral of albedo sigma_t T over the way is albedo (1 - T), in every channel and for any throughput.
   HeterogeneousDescription cloud = linear_cloud(0.8);

@@ -119,13 +119,17 @@ inline MediumBounds bounds_of(const MediumDescription& medium) {
   return bounds(most(cloud.sigma_t), most(cloud.albedo), cloud.scale);
 }
 
-/// The grids of a medium's values.
-inline std::vector<GridVolumeDescription*> volumes_of(MediumDescription& medium) {
-  std::vector<GridVolumeDescription*> found;
+/// The volumes of a kind among a medium's values.
+template <class Volume>
+std::vector<Volume*> volumes_of_kind(MediumDescription& medium) {
+  std::vector<Volume*> found;
   if (auto* cloud = std::get_if<HeterogeneousDescription>(&medium.model))
     for (VolumeColour* value : {&cloud->sigma_t, &cloud->albedo})
-      if (auto* volume = std::get_if<GridVolumeDescription>(value)) found.push_back(volume);
+      if (auto* volume = std::get_if<Volume>(value)) found.push_back(volume);
   return found;
+}
+inline std::vector<GridVolumeDescription*> volumes_of(MediumDescription& medium) {
+  return volumes_of_kind<GridVolumeDescription>(medium);
 }
 inline std::vector<const GridVolumeDescription*> volumes_of(const MediumDescription& medium) {
   std::vector<const GridVolumeDescription*> found;

@@ -61,7 +61,7 @@ void describe(P& p, RectangleDescription&) {
   describe_placed_shape(p);
 }
 
-/// The unit disc in the local xy plane, normal +z; `to_world` must keep it a circle.
+/// The unit disc in the local xy plane, normal +z; an ellipse where `to_world` scales unevenly.
 struct DiskDescription {
   static constexpr bool finite = true;
   static constexpr int surfaces = 1;
@@ -70,7 +70,7 @@ struct DiskDescription {
 
 template <class P>
 void describe(P& p, DiskDescription&) {
-  p.plugin("disk", "the unit disc in the local xy plane, normal +z; to_world leaves it a circle");
+  p.plugin("disk", "the unit disc in the local xy plane, normal +z");
   describe_placed_shape(p);
 }
 
@@ -87,7 +87,8 @@ void describe(P& p, CubeDescription&) {
   describe_placed_shape(p);
 }
 
-/// The curved side of a cylinder from p0 to p1, open at both ends, normals outward. `to_world` must be a similarity.
+/// The curved side of a cylinder from p0 to p1, open at both ends, normals outward. `to_world` must be a similarity:
+/// the parser moves p1 where a file's scales along the axis alone.
 struct CylinderDescription {
   static constexpr bool finite = true;
   static constexpr int surfaces = 1;
@@ -98,7 +99,7 @@ struct CylinderDescription {
 
 template <class P>
 void describe(P& p, CylinderDescription& d) {
-  p.plugin("cylinder", "open at both ends, normals outward; to_world turns, moves and scales evenly");
+  p.plugin("cylinder", "open at both ends, normals outward; to_world scales evenly across the axis");
   p.point("p0", d.p0, "one end of its axis");
   p.point("p1", d.p1, "the other");
   p.positive("radius", d.radius, "before to_world");

@@ -42,13 +42,44 @@ void describe(P& p, GridVolumeDescription& d) {
   p.transform("to_world", d.to_world, "places the grid; it has an inverse");
 }
 
-/// A colour, or a volume that gives one at every point.
-using VolumeColour = std::variant<RgbD, GridVolumeDescription>;
+/// The same everywhere. A medium of this extinction ends at the unit cube, which to_world places in the world.
+struct ConstantVolumeDescription {
+  RgbD value{1.0};
+  Transform to_world;
+  friend bool operator==(const ConstantVolumeDescription&, const ConstantVolumeDescription&) = default;
+};
+
+template <class P>
+void describe(P& p, ConstantVolumeDescription& d) {
+  p.plugin("constvolume", "the same everywhere; as `sigma_t` it places the medium's box");
+  p.colour("value", d.value, scene_xml::kNotNegative, "a colour or a number");
+  p.transform("to_world", d.to_world, "places the unit cube; it has an inverse");
+}
+
+/// A colour, or a volume that gives one at every point. The box of a colour is the unit cube.
+using VolumeColour = std::variant<RgbD, GridVolumeDescription, ConstantVolumeDescription>;
+
+/// The value of one that is the same everywhere, else null.
+inline const RgbD* constant_of(const VolumeColour& v) {
+  if (const auto* volume = std::get_if<ConstantVolumeDescription>(&v)) return &volume->value;
+  return std::get_if<RgbD>(&v);
+}
+inline RgbD* constant_of(VolumeColour& v) {
+  if (auto* volume = std::get_if<ConstantVolumeDescription>(&v)) return &volume->value;
+  return std::get_if<RgbD>(&v);
+}
+
+/// From the cube over which the values are given to the world.
+inline Transform place_of(const VolumeColour& v) {
+  if (const auto* volume = std::get_if<ConstantVolumeDescription>(&v)) return volume->to_world;
+  const auto* grid = std::get_if<GridVolumeDescription>(&v);
+  return grid != nullptr ? grid->to_world : Transform();
+}
 
 /// Every component is at most that of this.
 inline RgbD most(const VolumeColour& v) {
-  const auto* volume = std::get_if<GridVolumeDescription>(&v);
-  return volume != nullptr ? RgbD(double{volume->grid->largest}) : std::get<RgbD>(v);
+  const RgbD* constant = constant_of(v);
+  return constant != nullptr ? *constant : RgbD(double{std::get<GridVolumeDescription>(v).grid->largest});
 }
 
 }  // namespace photonproof::inline scenes_description

@@ -124,6 +124,20 @@ void replace_polarizer(Element& bsdf, StandInNotes& notes) {
   bsdf.children.push_back(std::move(black));
 }
 
+/// A normal that is the same everywhere becomes a texture. A nested texture needs no name.
+void replace_normal_map(Element& bsdf) {
+  for (Element& child : bsdf.children)
+    if (child.tag == "texture" && !child.find("name")) set_attribute(child, "name", "normalmap");
+  Element* normal = parameter_of(bsdf, "normalmap");
+  if (normal == nullptr || (normal->tag != "rgb" && value_of(*normal, "type") != "srgb")) return;
+  const Element* colour = normal->tag == "rgb" ? normal : parameter_of(*normal, "color");
+  if (colour == nullptr) return;
+  Element board = new_element(*normal, "texture", "checkerboard");
+  set_attribute(board, "name", "normalmap");
+  for (const char* half : {"color0", "color1"}) add_parameter(board, "rgb", half, value_of(*colour, "value"));
+  *normal = std::move(board);
+}
+
 }  // namespace
 
 void replace_bsdf(Element& bsdf, StandInNotes& notes) {
@@ -148,9 +162,7 @@ void replace_bsdf(Element& bsdf, StandInNotes& notes) {
     set_attribute(bsdf, "type", "diffuse");
     for (const char* name : {"alpha", "use_fast_approx"}) take_parameter(bsdf, name);
   }
-  if (type == "normalmap")
-    for (Element& child : bsdf.children)
-      if (child.tag == "texture" && !child.find("name")) set_attribute(child, "name", "normalmap");
+  if (type == "normalmap") replace_normal_map(bsdf);
 }
 
 }  // namespace photonproof::scene_xml

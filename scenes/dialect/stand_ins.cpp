@@ -50,6 +50,7 @@ class Translator {
     if (element.tag == "film") translate_film(element);
     if (element.tag == "texture") replace_texture(element, notes_);
     if (element.tag == "shape") drop_smoothing(element);
+    if (element.tag == "sensor") stop_shutter(element);
     if (element.tag == "medium") translate_medium(element);
     if (element.tag == "emitter") replace_sky(element, notes_);
     if (element.tag == "phase") replace_phase(element, notes_);
@@ -94,6 +95,9 @@ class Translator {
 
   /// Mitsuba 0.6 calls the extinction `density`, and places its grids at the box of their files.
   static void translate_medium(Element& medium) {
+    if (value_of(medium, "type") == "homogeneous")  // it fills its shape wherever its values' box is
+      for (Element& child : medium.children)
+        if (value_of(child, "type") == "constvolume") take_parameter(child, "to_world");
     Element* density = parameter_of(medium, "density");
     if (value_of(medium, "type") != "heterogeneous" || density == nullptr) return;
     for (Element& child : medium.children)
@@ -124,6 +128,13 @@ class Translator {
     if (const Element* format = parameter_of(film, "file_format"))
       if (is_any_of(lower(value_of(*format, "value")), {"pfm", "rgbe", "hdr", "png", "jpeg", "jpg"}))
         take_parameter(film, "file_format");
+  }
+
+  void stop_shutter(Element& sensor) {
+    bool rolls = false;
+    for (const char* name : {"rolling_shutter_type", "rolling_shutter_duration"})
+      rolls = !take_parameter(sensor, name).tag.empty() || rolls;
+    if (rolls) notes_.add(sensor, "the rolling shutter is left out: nothing moves");
   }
 
   /// An animated transform stands still at its first key.

@@ -251,6 +251,28 @@ TEST(stand_ins, keep_the_first_key_of_an_animation_and_the_shapes_of_a_merge) {
       2u);
 }
 
+TEST(stand_ins, leave_rolling_shutters_out_and_tell) {
+  const std::string rolling =
+      "<string name='rolling_shutter_type' value='top'/><float name='rolling_shutter_duration' value='0.5'/>";
+  const auto scene = parse("<sensor type='perspective'>" + rolling + "</sensor>" + kLight);
+  ASSERT_EQ(scene.notes.size(), 1u);
+  EXPECT_EQ(scene.notes[0].text, "the rolling shutter is left out: nothing moves");
+}
+
+TEST(stand_ins, make_a_texture_of_a_normal_that_is_the_same_everywhere) {
+  const auto mapped = [](const std::string& normal) {
+    return "<bsdf type='normalmap' id='b'>" + normal + "<bsdf type='diffuse'/></bsdf>";
+  };
+  const std::string board = mapped(
+      "<texture name='normalmap' type='checkerboard'><rgb name='color0' value='0.5, 0.4, 1'/>"
+      "<rgb name='color1' value='0.5, 0.4, 1'/></texture>");
+  for (const char* normal :
+       {"<rgb name='normalmap' value='0.5, 0.4, 1'/>",
+        "<spectrum name='normalmap' type='srgb'><rgb name='color' value='0.5, 0.4, 1'/></spectrum>",
+        "<texture name='normalmap' type='srgb'><rgb name='color' value='0.5, 0.4, 1'/></texture>"})
+    EXPECT_EQ(difference(mapped(normal), board, "3.0.0"), "") << normal;
+}
+
 TEST(stand_ins, put_colours_in_place_of_refs_and_of_textures) {
   const std::string red = "<rgb name='reflectance' value='.4 .1 .1'/>";
   const auto paint = [](const std::string& colour) { return "<bsdf type='diffuse' id='d'>" + colour + "</bsdf>"; };

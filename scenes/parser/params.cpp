@@ -289,10 +289,10 @@ VolumeColour Params::volume(const std::string& name, const RgbD& fallback, doubl
   if (found == given_.end() || objects_.target(*found->second).tag != "volume")
     return colour(name, fallback, low, high);
   return value_or(name, VolumeColour(fallback), [&](const Element& element) -> VolumeColour {
-    GridVolumeDescription grid = read_volume(objects_, objects_.target(element));
-    const double most = double{grid.grid->largest};
-    expect(most <= high, name, "has values up to " + format_number(most) + ", expected " + range(low, high));
-    return grid;
+    VolumeColour volume = read_volume(objects_, objects_.target(element));
+    const double largest = max_component(most(volume));
+    expect(largest <= high, name, "has values up to " + format_number(largest) + ", expected " + range(low, high));
+    return volume;
   });
 }
 

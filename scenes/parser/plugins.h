@@ -82,7 +82,7 @@ void expect_similarity(Params& params, const std::string& what);
 TextureDescription read_texture(SceneObjects& objects, const Element& element);
 BsdfDescription read_bsdf(SceneObjects& objects, const Element& element);
 MediumDescription read_medium(SceneObjects& objects, const Element& element);
-GridVolumeDescription read_volume(SceneObjects& objects, const Element& element);
+VolumeColour read_volume(SceneObjects& objects, const Element& element);
 ShapeDescription read_shape(SceneObjects& objects, const Element& element);
 /// The shapes that an <shape type="shapegroup"> holds.
 ShapeGroupDescription read_shape_group(SceneObjects& objects, const Element& element);

@@ -7,7 +7,7 @@ namespace photonproof::scene_xml {
 namespace {
 
 using Model = decltype(MediumDescription::model);
-using Volume = std::variant<GridVolumeDescription>;
+using Volume = std::variant<GridVolumeDescription, ConstantVolumeDescription>;
 
 /// Also completes nothing, where a phase function has nothing nested.
 struct CompletePhase {
@@ -67,7 +67,13 @@ struct CompleteVolume {
     const auto loaded = params.objects().files().volume(params.value_of("filename"), VolValues::not_negative);
     d.filename = loaded.name;
     d.grid = loaded.content;
-    params.expect(d.to_world.inverse().has_value(), "to_world", "is singular: it flattens the volume");
+    expect_inverse(d.to_world);
+  }
+  void operator()(ConstantVolumeDescription& d) const { expect_inverse(d.to_world); }
+
+ private:
+  void expect_inverse(const Transform& to_world) const {
+    params.expect(to_world.inverse().has_value(), "to_world", "is singular: it flattens the volume");
   }
 };
 
@@ -78,9 +84,9 @@ MediumDescription read_medium(SceneObjects& objects, const Element& element) {
   return {objects.sources().loc(element.at), id_of(element), build_plugin(objects, element, table)};
 }
 
-GridVolumeDescription read_volume(SceneObjects& objects, const Element& element) {
+VolumeColour read_volume(SceneObjects& objects, const Element& element) {
   static const std::vector<Plugin<Volume>> table = described_plugins<Volume, CompleteVolume>();
-  return std::get<GridVolumeDescription>(build_plugin(objects, element, table));
+  return std::visit([](const auto& volume) -> VolumeColour { return volume; }, build_plugin(objects, element, table));
 }
 
 }  // namespace photonproof::scene_xml

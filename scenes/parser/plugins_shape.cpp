@@ -1,5 +1,6 @@
 // Mitsuba 3's shapes and the extensions plane and heightfield: rules that a description alone does not state.
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "scenes/description/description.h"
@@ -12,6 +13,33 @@ using Geometry = decltype(ShapeDescription::geometry);
 
 constexpr std::int64_t kMaxCells = std::int64_t{1} << 24;  ///< of a heightfield
 
+Vec3d axis_of(const CylinderDescription& d) { return normalize(d.p1 - d.p0); }
+
+/// The scale of a cylinder along its axis, in terms of that across it.
+double stretch_along(const CylinderDescription& d, const Transform& to_world) {
+  const double along = length(to_world.vector(axis_of(d)));
+  return std::sqrt(along * along * along / std::abs(to_world.determinant()));
+}
+
+/// `to_world` with the scale across the cylinder's axis along it, too. p0 stays where it is.
+Transform unstretched(const CylinderDescription& d, const Transform& to_world, double stretch) {
+  const Vec3d a = axis_of(d);
+  const double less = 1 / stretch - 1;
+  const std::array<double, 3> axis = {a.x, a.y, a.z};
+  Transform along;
+  for (std::size_t row = 0; row < 3; ++row)
+    for (std::size_t column = 0; column < 3; ++column) along.m[4 * row + column] += less * axis[row] * axis[column];
+  return to_world * Transform::translate(d.p0) * along * Transform::translate(-d.p0);
+}
+
+/// A longer or shorter cylinder under a `to_world` that scales evenly.
+void stretch_by_ends(CylinderDescription& d, Transform& to_world) {
+  if (is_even(to_world)) return;
+  const double stretch = stretch_along(d, to_world);
+  to_world = unstretched(d, to_world, stretch);
+  d.p1 = d.p0 + (d.p1 - d.p0) * stretch;
+}
+
 struct CompleteShape {
   Params& params;
 
@@ -23,15 +51,18 @@ struct CompleteShape {
   }
   void operator()(DiskDescription&) const {
     const Transform to_world = params.transform("to_world");
-    const Vec3d x = to_world.vector({1, 0, 0}), y = to_world.vector({0, 1, 0});
-    params.expect(is_perpendicular(x, y) && std::abs(length(y) / length(x) - 1) <= 1e-5, "to_world",
-                  "makes the disk an ellipse, expected the same scale along x and y");
+    params.expect(is_perpendicular(to_world.vector({1, 0, 0}), to_world.vector({0, 1, 0})), "to_world",
+                  "shears the disk, expected perpendicular axes");
   }
   void operator()(CubeDescription&) const {}
   void operator()(PlaneDescription&) const {}
   void operator()(CylinderDescription& d) const {
     params.expect(length(d.p1 - d.p0) > 0, "p1", "is the same point as p0, expected another");
-    expect_similarity(params, "a cylinder");
+    const Transform to_world = params.transform("to_world");
+    const double stretch = stretch_along(d, to_world);
+    params.expect(is_even(unstretched(d, to_world, stretch)), "to_world",
+                  "shears a cylinder or makes it an ellipse, expected one scale across its axis");
+    params.expect(to_world.determinant() > 0, "to_world", "mirrors a cylinder, expected a positive scale");
   }
   void operator()(MeshDescription& d) const {
     const auto loaded = params.objects().files().mesh(params.value_of("filename"), d.format, d.shape_index);
@@ -112,6 +143,7 @@ ShapeDescription read_shape(SceneObjects& objects, const Element& element) {
   shape.to_world = params.transform("to_world");
   params.expect(shape.to_world.inverse().has_value(), "to_world", "is singular: it flattens the shape");
   shape.geometry = plugin.build(params);
+  if (auto* cylinder = std::get_if<CylinderDescription>(&shape.geometry)) stretch_by_ends(*cylinder, shape.to_world);
   if (!std::holds_alternative<InstanceDescription>(shape.geometry)) {
     shape.flip_normals = params.boolean("flip_normals", false);
     shape.bsdf = read_surface(params);

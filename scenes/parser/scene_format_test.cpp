@@ -86,7 +86,8 @@ std::string all_tables() {
          table("shape", shapes) + table("bsdf", rows_of_kinds<decltype(BsdfDescription::model)>()) +
          table("texture", rows_of_kinds<decltype(TextureDescription::pattern)>()) + table("emitter", emitters) +
          table("medium", rows_of_kinds<decltype(MediumDescription::model)>()) +
-         table("phase", rows_of_kinds<PhaseDescription>()) + table("volume", {rows_of<GridVolumeDescription>()});
+         table("phase", rows_of_kinds<PhaseDescription>()) +
+         table("volume", {rows_of<GridVolumeDescription>(), rows_of<ConstantVolumeDescription>()});
 }
 
 /// The parameters that are accepted without an effect, a row a kind of object.

@@ -29,9 +29,14 @@ void MaterialWriter::use(const std::string& name, const Scalar& number) {
 
 void MaterialWriter::use(const std::string& name, const VolumeColour& volume) {
   if (const auto* colour = std::get_if<RgbD>(&volume)) return xml_.rgb(name, *colour);
-  auto grid = std::get<GridVolumeDescription>(volume);
   PluginWriter writer(*this, xml_, "volume", "", name);
-  describe(writer, grid);
+  if (auto constant = std::get_if<ConstantVolumeDescription>(&volume)) {
+    ConstantVolumeDescription d = *constant;
+    describe(writer, d);
+  } else {
+    GridVolumeDescription d = std::get<GridVolumeDescription>(volume);
+    describe(writer, d);
+  }
   xml_.close();
 }
 

@@ -247,6 +247,7 @@ class RandomScene {
   }
   VolumeColour volume(const RgbD& constant) {
     if (coin()) return constant;
+    if (coin()) return ConstantVolumeDescription{constant, similarity()};
     const auto wrap = static_cast<TextureWrap>(pick(3));
     return GridVolumeDescription{"a.vol", files_.grid, coin(),      static_cast<VolumeFilter>(pick(2)),
                                  wrap,    coin(),      similarity()};
