@@ -53,6 +53,8 @@ class Descent {
         case BsdfNode::Kind::blend:
           if (node.mixes_mirrors)
             bsdf = mixing(node);
+          else if (is_diffuse(node.first) && is_diffuse(node.second))
+            add_diffuse(node);
           else if (draw(number(node.number)))
             bsdf = node.second;
           break;
@@ -84,8 +86,19 @@ class Descent {
   float chance = 1;
   std::uint32_t mixed = no_index;  ///< the leaf that a mirror in a blend is mixed with (mixed_mirrors.h)
   float mixed_share = 0;           ///< the mirror's
+  std::uint32_t added = no_index;  ///< another diffuse leaf, whose reflectance counts with the share below
+  float added_share = 0;
 
  private:
+  bool is_diffuse(std::uint32_t bsdf) const {
+    return tables_.bsdfs.is_leaf(bsdf) && std::holds_alternative<DiffuseBsdf<float>>(tables_.bsdfs.records[bsdf]);
+  }
+  /// A blend of two diffuse leaves is one of the blended reflectance: nothing is drawn, and no noise is added.
+  void add_diffuse(const BsdfNode& node) {
+    added = node.second;
+    added_share = number(node.number);
+  }
+
   /// The drawn side of a blend. The other's leaf becomes `mixed`, if only twosided BSDFs wrap it.
   std::uint32_t mixing(const BsdfNode& node) {
     const float second = number(node.number);
@@ -198,6 +211,15 @@ void fill_record(const SceneView& scene, std::uint32_t leaf, const LocalGeometry
   }
 }
 
+/// Blends the reflectance of a diffuse leaf with another's.
+void add_diffuse(const SceneView& scene, const Descent& descent, const LocalGeometry& at, const MeshPoint* on_mesh,
+                 float* record) {
+  float other[BsdfKinds::stride];
+  fill_record(scene, descent.added, at, on_mesh, other);
+  for (int channel = 0; channel < 3; ++channel)
+    record[channel] += (other[channel] - record[channel]) * descent.added_share;
+}
+
 /// Weights a mirror of a blend against the other leaf.
 void mix(const SceneView& scene, const Descent& descent, const LocalGeometry& at, const MeshPoint* on_mesh,
          const Vec3f& direction, SurfaceDetail& detail) {
@@ -270,6 +292,7 @@ void detail_at(const SceneView& scene, std::uint32_t surface, std::uint32_t prim
   detail.chance = descent.chance;
   detail.surface |= (descent.state & ((1u << MappedNormals<float>::tag_bits) - 1)) << PhotonSurface::number_bits;
   fill_record(scene, detail.bsdf, at, mesh_point, detail.record);
+  if (descent.added != no_index) add_diffuse(scene, descent, at, mesh_point, detail.record);
   const bool has_directions = tables.bsdfs.tree[detail.bsdf].has_directions;
   detail.tangent = has_directions ? perpendicular(at.dp_du, detail.normal) : Vec3f(0.0f);
   if (descent.mixed != no_index) mix(scene, descent, at, mesh_point, direction, detail);

@@ -141,7 +141,7 @@ TEST(detail, nested_choices_share_one_number_without_bias) {
   // meet them to 1 / 10000.
   SceneDescription d;
   const BsdfIndex a = test::add_bsdf(d, DiffuseDescription{RgbD(0.1)});
-  const BsdfIndex b = test::add_bsdf(d, DiffuseDescription{RgbD(0.9)});
+  const BsdfIndex b = test::add_bsdf(d, ConductorDescription{});
   const BsdfIndex blend = test::add_bsdf(d, BlendDescription{0.25, a, b});
   const BsdfIndex mask = test::add_bsdf(d, MaskDescription{0.3, blend});
   const Scene scene = test::compiled(square_of(d, mask), 4, 4);
@@ -153,6 +153,21 @@ TEST(detail, nested_choices_share_one_number_without_bias) {
   }
   EXPECT_NEAR(of_a, 2250, 2);
   EXPECT_NEAR(of_b, 750, 2);
+}
+
+TEST(detail, a_blend_of_diffuse_leaves_has_the_blended_reflectance) {
+  // (0.1, 0.5, 0.9) + 0.2 ((0.6, 0.5, 0.4) - (0.1, 0.5, 0.9)) = (0.2, 0.5, 0.8), whatever is drawn.
+  SceneDescription d;
+  const TextureIndex texture = add_texture(d, even({0.6f, 0.5f, 0.4f}));
+  const BsdfIndex a = test::add_bsdf(d, DiffuseDescription{RgbD(0.1, 0.5, 0.9)});
+  const BsdfIndex b = test::add_bsdf(d, DiffuseDescription{texture});
+  const BsdfIndex blend = test::add_bsdf(d, BlendDescription{0.2, a, b});
+  const Scene scene = test::compiled(square_of(d, blend), 4, 4);
+  for (const float u : {0.05f, 0.95f}) {
+    const SurfaceDetail detail = detail_under(scene, 0, 0, u);
+    const double expected[3] = {0.2, 0.5, 0.8};
+    for (int channel = 0; channel < 3; ++channel) EXPECT_NEAR(detail.record[channel], expected[channel], 1e-6) << u;
+  }
 }
 
 /// Six greys, all of them different: 0.1 0.2 0.3 over 0.5 0.7 0.9.
@@ -179,7 +194,7 @@ TEST(detail, textures_of_masks_and_blends_lie_where_the_texture_does) {
   SceneDescription d;
   const TextureIndex texture = add_texture(d, six_texels());
   const BsdfIndex a = test::add_bsdf(d, DiffuseDescription{RgbD(0.1)});
-  const BsdfIndex b = test::add_bsdf(d, DiffuseDescription{RgbD(0.9)});
+  const BsdfIndex b = test::add_bsdf(d, ConductorDescription{});
   const BsdfIndex mask = test::add_bsdf(d, MaskDescription{texture, a});
   const BsdfIndex blend = test::add_bsdf(d, BlendDescription{texture, a, b});
   const Scene masked = test::compiled(square_of(d, mask), 4, 4), blended = test::compiled(square_of(d, blend), 4, 4);
