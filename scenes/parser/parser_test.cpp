@@ -252,5 +252,34 @@ TEST(parser, many_attributes_take_time_in_proportion) {
   EXPECT_LT(seconds(32000), 64 * seconds(2000));
 }
 
+TEST(shapes, read_disks_that_are_ellipses) {
+  const ShapeDescription ellipse = shape("disk", "<transform name='to_world'><scale x='3' y='2'/></transform>");
+  EXPECT_EQ(ellipse.to_world, Transform::scale({3, 2, 1}));
+}
+
+TEST(shapes, lengthen_cylinders_that_are_stretched_along_their_axis) {
+  // The axis along (0, 3, 4), which a turn about x by atan(3/4) makes z. There 6 is along it and 2 across.
+  const ShapeDescription longer =
+      shape("cylinder",
+            "<point name='p0' x='1' y='1' z='1'/><point name='p1' x='1' y='4' z='5'/><float name='radius' value='0.5'/>"
+            "<transform name='to_world'><rotate x='1' angle='36.86989764584402'/><scale x='2' y='2' z='6'/>"
+            "<translate z='7'/></transform>");
+  const auto& cylinder = std::get<CylinderDescription>(longer.geometry);
+  EXPECT_EQ(cylinder.p0, Vec3d(1));
+  EXPECT_LT(length(cylinder.p1 - Vec3d(1, 1 + 9, 1 + 12)), 1e-12);  // three times as long in its own units
+  EXPECT_EQ(cylinder.radius, 0.5);
+  const auto world = [&](const Vec3d& p) { return longer.to_world.point(p); };
+  // p0 turned: y = 4/5 - 3/5, z = 3/5 + 4/5. The axis is 5 long before to_world.
+  EXPECT_LT(length(world(cylinder.p0) - Vec3d(2, 2 * 0.2, 6 * 1.4 + 7)), 1e-12);
+  EXPECT_LT(length(world(cylinder.p1) - world(cylinder.p0) - Vec3d(0, 0, 30)), 1e-12);
+  EXPECT_NEAR(longer.to_world.similarity_scale(), 2, 1e-12);
+
+  const ShapeDescription even = shape("cylinder", "<transform name='to_world'><scale value='3'/></transform>");
+  EXPECT_EQ(even.to_world, Transform::scale(Vec3d(3)));
+  EXPECT_EQ(std::get<CylinderDescription>(even.geometry), CylinderDescription{});
+  EXPECT_THROW(shape("cylinder", "<transform name='to_world'><scale z='-3'/></transform>"), InputError);
+  EXPECT_THROW(shape("cylinder", "<transform name='to_world'><scale y='3'/></transform>"), InputError);
+}
+
 }  // namespace
 }  // namespace photonproof::inline scenes_parser

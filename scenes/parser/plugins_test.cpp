@@ -187,43 +187,6 @@ TEST(plugins, know_the_largest_value_of_a_scaled_texture) {
   EXPECT_THROW(scaled("2.6"), InputError);
 }
 
-TEST(plugins, lengthen_cylinders_that_are_stretched_along_their_axis) {
-  const auto placed = [](const std::string& content) {
-    return parse_scene_text(
-               "<scene version='3.0.0'>" + kSensor + kLight + "<shape type='cylinder'>" + content + "</shape></scene>",
-               "test.xml")
-        .shapes.at(0);
-  };
-  // The axis along (0, 3, 4), which a turn about x by atan(3/4) makes z. There 6 is along it and 2 across.
-  const ShapeDescription shape = placed(
-      "<point name='p0' x='1' y='1' z='1'/><point name='p1' x='1' y='4' z='5'/><float name='radius' value='0.5'/>"
-      "<transform name='to_world'><rotate x='1' angle='36.86989764584402'/><scale x='2' y='2' z='6'/>"
-      "<translate z='7'/></transform>");
-  const auto& cylinder = std::get<CylinderDescription>(shape.geometry);
-  EXPECT_EQ(cylinder.p0, Vec3d(1));
-  EXPECT_LT(length(cylinder.p1 - Vec3d(1, 1 + 9, 1 + 12)), 1e-12);  // three times as long in its own units
-  EXPECT_EQ(cylinder.radius, 0.5);
-  const auto world = [&](const Vec3d& p) { return shape.to_world.point(p); };
-  // p0 turned: y = 4/5 - 3/5, z = 3/5 + 4/5. The axis is 5 long before to_world.
-  EXPECT_LT(length(world(cylinder.p0) - Vec3d(2, 2 * 0.2, 6 * 1.4 + 7)), 1e-12);
-  EXPECT_LT(length(world(cylinder.p1) - world(cylinder.p0) - Vec3d(0, 0, 30)), 1e-12);
-  EXPECT_NEAR(shape.to_world.similarity_scale(), 2, 1e-12);
-
-  const ShapeDescription even = placed("<transform name='to_world'><scale value='3'/></transform>");
-  EXPECT_EQ(even.to_world, Transform::scale(Vec3d(3)));
-  EXPECT_EQ(std::get<CylinderDescription>(even.geometry), CylinderDescription{});
-  EXPECT_THROW(placed("<transform name='to_world'><scale z='-3'/></transform>"), InputError);
-  EXPECT_THROW(placed("<transform name='to_world'><scale y='3'/></transform>"), InputError);
-}
-
-TEST(plugins, read_disks_that_are_ellipses) {
-  const auto scene = parse_scene_text("<scene version='3.0.0'>" + kSensor + kLight +
-                                          "<shape type='disk'><transform name='to_world'><scale x='3' y='2'/>"
-                                          "</transform></shape></scene>",
-                                      "test.xml");
-  EXPECT_EQ(scene.shapes.at(0).to_world, Transform::scale({3, 2, 1}));
-}
-
 TEST(plugins, give_mitsubas_defaults_of_shapes) {
   EXPECT_EQ(shape<DiskDescription>("disk"), DiskDescription{});
   EXPECT_EQ(shape<CylinderDescription>("cylinder"), CylinderDescription{});
