@@ -2,23 +2,28 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <limits>
 #include <numbers>
 #include <optional>
 
 #include "renderer/lanes/lane_trig.h"
+#include "renderer/lanes/sampler.h"
 #include "renderer/photons/surface_side.h"
 
 namespace photonproof::inline renderer_areas {
 namespace {
 
 constexpr int shared_levels = 5;  // cut level by level, their nodes in parallel; below, subtrees are
-constexpr double small_share = 1.0 / 16;
+/// Shares of the radius. Triangles and flat groups of them that are smaller count by their middle; smaller groups of
+/// other triangles count by a sample.
+constexpr float small_share = 1.0f / 4, sampled_share = 1.0f / 6;
 constexpr float margin = 1e-5f;  // of cosines, for rounding: what is within it is looked at more closely
 
 using Corners = std::array<Vec3d, 3>;
 
+constexpr float square(float x) { return x * x; }
 float component(const Vec3f& v, int axis) { return axis == 0 ? v.x : axis == 1 ? v.y : v.z; }
 
 /// A convex polygon, counterclockwise about its normal.
@@ -172,6 +177,12 @@ struct MeshArea::Gather {
     }
     return x;
   }
+  /// 1 where a triangle of that front, which need not be unit, counts; else 0.
+  std::int32_t is_alike(const Vec3f& front) const {
+    const float cosine = dot(front, normal);
+    const float least2 = length_squared(front) * (least_side_cosine * least_side_cosine);
+    return (cosine > 0 ? 1 : 0) & (cosine * cosine >= least2 ? 1 : 0);
+  }
   bool holds(const Vec3d& x) const {
     return length_squared(x) <= radius * radius && std::abs(dot(Vec3d(normal), x)) <= height;
   }
@@ -299,6 +310,7 @@ double MeshArea::visit(const Gather& at, int level, std::size_t k) const {
   const float reach = std::abs(at.normal.x) * half.x + std::abs(at.normal.y) * half.y + std::abs(at.normal.z) * half.z;
   if (above - reach > height + slack) return 0;
 
+  const float size2 = 4 * length_squared(half);
   // A placement changes areas and angles; a scaling one is undone before, the others' nodes are only ever left out.
   if (at.placement == nullptr && node.cosine > 0) {
     const float c = dot(at.normal, node.axis);
@@ -310,13 +322,36 @@ double MeshArea::visit(const Gather& at, int level, std::size_t k) const {
       const Vec3f farthest = distance + half;
       if (length_squared(farthest) <= (radius - slack) * (radius - slack) && above + reach <= height - slack)
         return node.area;
-      if (length_squared(half) * 4 <= radius * radius * static_cast<float>(small_share * small_share))
-        return at.holds(Vec3d(off)) ? node.area : 0;
+      if (size2 <= square(radius * small_share)) return at.holds(Vec3d(off)) ? node.area : 0;
     }
   }
-  if (level < leaf_level_) return visit(at, level + 1, 2 * k) + visit(at, level + 1, 2 * k + 1);
+  if (level == leaf_level_) return visit_leaf(at, leaves_[k]);
+  if (at.placement == nullptr && size2 <= square(radius * sampled_share)) return sample(at, level, k);
+  return visit(at, level + 1, 2 * k) + visit(at, level + 1, 2 * k + 1);
+}
 
-  return visit_leaf(at, leaves_[k]);
+/// An estimate from one leaf, drawn in proportion to its area: right in the mean over points.
+double MeshArea::sample(const Gather& at, int level, std::size_t k) const {
+  const std::size_t node = (std::size_t{1} << level) + k;
+  const std::uint32_t key = std::bit_cast<std::uint32_t>(at.p.x) ^ (std::bit_cast<std::uint32_t>(at.p.y) * 0x9e3779b1u);
+  float u = draw_independent<float>(key, std::bit_cast<std::uint32_t>(at.p.z), static_cast<std::uint32_t>(node));
+  std::size_t at_node = node;
+  for (int l = level; l < leaf_level_; ++l) {
+    const float left = nodes_[2 * at_node].area, both = left + nodes_[2 * at_node + 1].area, drawn = u * both;
+    const bool is_left = drawn < left;
+    u = std::clamp(is_left ? drawn / left : (drawn - left) / (both - left), 0.0f, 1.0f);
+    at_node = 2 * at_node + (is_left ? 0 : 1);
+  }
+  const Leaf& leaf = leaves_[at_node - (std::size_t{1} << leaf_level_)];
+  double within = 0, all = 0;
+  for (std::size_t i = 0; i < leaf.count; ++i) {
+    const double area{leaf.area[i]};
+    all += area;
+    if (at.is_alike({leaf.front_x[i], leaf.front_y[i], leaf.front_z[i]}) &&
+        at.holds(Vec3d(Vec3f{leaf.x[i], leaf.y[i], leaf.z[i]} - at.p)))
+      within += area;
+  }
+  return all > 0 ? double{nodes_[node].area} * within / all : 0;
 }
 
 double MeshArea::visit_leaf(const Gather& at, const Leaf& leaf) const {
@@ -324,18 +359,13 @@ double MeshArea::visit_leaf(const Gather& at, const Leaf& leaf) const {
   const float slack = margin * radius;
   enum State : std::int32_t { outside, inside, on_border };
   std::array<std::int32_t, most_in_leaf> state;
-  const auto is_alike = [&](const Vec3f& front) {
-    const float cosine = dot(front, at.normal);
-    const float least2 = length_squared(front) * (least_side_cosine * least_side_cosine);
-    return (cosine > 0 ? 1 : 0) & (cosine * cosine >= least2 ? 1 : 0);
-  };
   if (at.placement == nullptr) {
     // All at once, without branches. Most are all outside or all inside.
     for (std::size_t i = 0; i < most_in_leaf; ++i) {
       const Vec3f from = Vec3f{leaf.x[i], leaf.y[i], leaf.z[i]} - at.p;
       const float distance2 = length_squared(from), reach = leaf.reach[i], off_plane = std::abs(dot(at.normal, from));
       const float outer = radius + reach + slack, inner = radius - reach - slack;
-      const std::int32_t counts = is_alike({leaf.front_x[i], leaf.front_y[i], leaf.front_z[i]}) &
+      const std::int32_t counts = at.is_alike({leaf.front_x[i], leaf.front_y[i], leaf.front_z[i]}) &
                                   (distance2 <= outer * outer ? 1 : 0) & (off_plane - reach <= height + slack ? 1 : 0);
       const std::int32_t all =
           (inner > 0 ? 1 : 0) & (distance2 <= inner * inner ? 1 : 0) & (off_plane + reach <= height - slack ? 1 : 0);
@@ -344,13 +374,16 @@ double MeshArea::visit_leaf(const Gather& at, const Leaf& leaf) const {
   } else {
     for (std::size_t i = 0; i < leaf.count; ++i) {
       const Vec3f front{leaf.front_x[i], leaf.front_y[i], leaf.front_z[i]};
-      state[i] = is_alike(at.placement->normal(front)) * on_border;
+      state[i] = at.is_alike(at.placement->normal(front)) * on_border;
     }
   }
   double area = 0;
   std::array<std::uint32_t, most_in_leaf> border;
   std::size_t border_count = 0;
+  const float small_reach = radius * small_share / 2;
   for (std::size_t i = 0; i < leaf.count; ++i) {
+    if (at.placement == nullptr && state[i] == on_border && leaf.reach[i] <= small_reach)
+      state[i] = at.holds(Vec3d(Vec3f{leaf.x[i], leaf.y[i], leaf.z[i]} - at.p)) ? inside : outside;
     area += state[i] == inside ? double{leaf.area[i]} : 0.0;
     border[border_count] = leaf.triangle[i];
     border_count += state[i] == on_border ? 1 : 0;

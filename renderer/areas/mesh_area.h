@@ -19,13 +19,15 @@ class MeshArea {
   MeshArea(const Mesh& mesh, const Threads& threads);
 
   /// The area for a gather at p of the mesh's own space with the unit front normal there. It is exact except for
-  /// triangles, and flat groups of them, smaller than a sixteenth of the radius. Those on the border count whole where
-  /// their middle is within, which is right in the mean.
+  /// triangles, and groups of them, that are smaller than a quarter of the radius. On the border these count whole
+  /// where their middle is within; groups that are not flat count by a sample of eight triangles, drawn by p. Both are
+  /// right in the mean.
   double within(const Vec3f& p, const Vec3f& front_normal, float radius) const;
 
   /// The same in world space, where `placement` puts the mesh.
   double within(const AffineMap& placement, const Vec3f& p, const Vec3f& front_normal, float radius) const;
 
+  std::size_t triangle_count() const { return mesh_.triangle_count(); }
   std::size_t memory_bytes() const;
 
  private:
@@ -57,6 +59,7 @@ class MeshArea {
   void bound(int level, std::size_t k);
   void fill(std::size_t leaf);
   double visit(const Gather& at, int level, std::size_t k) const;
+  double sample(const Gather& at, int level, std::size_t k) const;
   double visit_leaf(const Gather& at, const Leaf& leaf) const;
 
   const Mesh& mesh_;

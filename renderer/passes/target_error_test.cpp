@@ -81,7 +81,7 @@ TEST_P(TargetError, is_the_true_error_within_a_factor_of_one_and_a_half) {
 // Automatic settings use the maps in corridor.
 INSTANTIATE_TEST_SUITE_P(library, TargetError,
                          testing::Values(Asked{"cornell", IndirectLight::automatic, 0.01, 8'000, 16},
-                                         Asked{"cornell", IndirectLight::map, 0.01, 8'000, 16},
+                                         Asked{"cornell", IndirectLight::map, 0.01, 8'000, 32},
                                          Asked{"corridor", IndirectLight::automatic, 0.02, 18'000, 32}),
                          [](const auto& test) {
                            return std::string(test.param.scene) +

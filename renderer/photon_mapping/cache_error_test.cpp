@@ -1,7 +1,7 @@
 // The photon mapper's estimate of its irradiance cache's error, against long path renders. Also renders that are to
 // continue until their error is below that.
 
-#include "renderer/photon_mapping/cache_error.h"
+#include "renderer/irradiance/cache_error.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -11,9 +11,9 @@
 #pragma once
 
 #include "renderer/core/parallel.h"
-#include "renderer/photon_mapping/cache_error.h"
+#include "renderer/irradiance/cache_error.h"
+#include "renderer/irradiance/irradiance_cache.h"
 #include "renderer/photon_mapping/gather_area.h"
-#include "renderer/photon_mapping/irradiance_cache.h"
 #include "renderer/photon_mapping/photon_maps.h"
 #include "renderer/planning/plan.h"
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "renderer/irradiance/cache_picture.h"
 #include "renderer/passes/tile_film.h"
-#include "renderer/photon_mapping/cache_picture.h"
 #include "renderer/photon_mapping/photon_radius.h"
 #include "renderer/photon_mapping/shared_gathers.h"
 #include "renderer/sensor/camera.h"

@@ -5,13 +5,13 @@
 #include <cstdint>
 #include <vector>
 
+#include "renderer/irradiance/irradiance_cache.h"
 #include "renderer/passes/aov.h"
 #include "renderer/passes/render_loop.h"
 #include "renderer/passes/scratch_pool.h"
 #include "renderer/photon_mapping/adaptive_sample_map.h"
 #include "renderer/photon_mapping/gather_area.h"
 #include "renderer/photon_mapping/gather_bias.h"
-#include "renderer/photon_mapping/irradiance_cache.h"
 #include "renderer/photon_mapping/photon_maps.h"
 #include "renderer/photon_mapping/shared_gathers.h"
 #include "renderer/planning/plan.h"

@@ -1,8 +1,11 @@
 #include "renderer/photon_mapping/gather_area.h"
 
 #include <algorithm>
+#include <bit>
+#include <cmath>
 #include <optional>
 
+#include "renderer/core/radix_sort.h"
 #include "renderer/photons/surface_side.h"
 #include "renderer/rays/rays.h"
 #include "renderer/scene/surface_detail.h"
@@ -43,6 +46,34 @@ float chance_of_leaf(const Scene& scene, std::uint32_t bsdf, bool behind, const 
   }
 }
 
+/// Areas of meshes with more triangles are measured once for neighbouring points.
+constexpr std::size_t most_measured_each = 64;
+
+/// A number for the cell of a point: points of one cell lie on the same surface within an eighth of the radius along
+/// each axis, their normals within some 12 degrees and their radii within 6 %. On a flat surface with a straight border
+/// an eighth of the radius changes the area by 8 % at most.
+std::uint64_t area_cell(const GatherPoint& point, float radius) {
+  constexpr float radius_steps = 12, cells_a_radius = 8;  // steps a factor of 2
+  constexpr std::uint32_t normal_step_bits = 6;           // of SurfaceSide::normal_bits
+  const float step = std::floor(std::log2(radius) * radius_steps);
+  const float scale = cells_a_radius * std::exp2(-step / radius_steps);
+  const auto cell = [&](float x) { return std::bit_cast<std::uint64_t>(std::floor(double{x} * double{scale})); };
+  const std::uint32_t u = (point.surface_side >> SurfaceSide::normal_bits) & ((1u << SurfaceSide::normal_bits) - 1),
+                      v = point.surface_side & ((1u << SurfaceSide::normal_bits) - 1);
+  std::uint64_t hash = point.surface;
+  const auto add = [&hash](std::uint64_t number) {
+    // The finaliser of SplitMix64 (Steele et al. 2014).
+    hash = (hash ^ number) + 0x9e3779b97f4a7c15u;
+    hash = (hash ^ (hash >> 30)) * 0xbf58476d1ce4e5b9u;
+    hash = (hash ^ (hash >> 27)) * 0x94d049bb133111ebu;
+    hash ^= hash >> 31;
+  };
+  add(static_cast<std::uint64_t>(static_cast<std::int64_t>(step)));
+  for (const float x : {point.p.x, point.p.y, point.p.z}) add(cell(x));
+  add((std::uint64_t{u >> normal_step_bits} << 32) | (v >> normal_step_bits));
+  return hash;
+}
+
 }  // namespace
 
 GatherAreas::GatherAreas(const Scene& scene, const Threads& threads)
@@ -79,8 +110,31 @@ std::vector<SheetTest> GatherAreas::tests(float radius) const {
 void GatherAreas::fill(GatherQueue& points) const {
   const GatherPoints view = points.view();
   const float wrong = has_fault(Fault::density_radius) ? 1.1f : 1.0f;
-  for (std::size_t i = 0; i < view.count; ++i)
-    view.area[i] = view.found[i] > 0 ? divisor(points[i], wrong * view.radius[i]) : 0.0f;
+  RadixSort shared;
+  for (std::size_t i = 0; i < view.count; ++i) {
+    view.area[i] = 0;
+    if (view.found[i] == 0) continue;
+    if (shares_area(view.surface[i]))
+      shared.items.push_back({area_cell(points[i], view.radius[i]), static_cast<std::uint32_t>(i)});
+    else
+      view.area[i] = divisor(points[i], wrong * view.radius[i]);
+  }
+  shared.sort();  // keeps the order of points of one cell
+  const auto& items = shared.items;
+  double relative = 0;  // area over the square of the radius, at the cell's first point
+  for (std::size_t k = 0; k < items.size(); ++k) {
+    const std::uint32_t i = items[k].index;
+    const double radius = double{wrong} * double{view.radius[i]};
+    const GatherPoint point = points[i];
+    if (k == 0 || items[k].key != items[k - 1].key)
+      relative = double{area(point, static_cast<float>(radius))} / (radius * radius);
+    view.area[i] = static_cast<float>(relative * radius * radius) * stored_share(point);
+  }
+}
+
+bool GatherAreas::shares_area(std::uint32_t surface) const {
+  const MeshArea* mesh = mesh_of_[surface_number(surface)];
+  return mesh != nullptr && mesh->triangle_count() > most_measured_each;
 }
 
 GatherAreas::TexturePoint GatherAreas::texture_point(const GatherPoint& point) const {

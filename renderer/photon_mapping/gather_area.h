@@ -27,11 +27,13 @@ class GatherAreas {
   /// the surface's BSDF at `point`, or for a point of a rough part a leaf that can be rough. Photon and camera path
   /// both choose a leaf, so without the divisor the probability would enter twice.
   float divisor(const GatherPoint& point, float radius) const { return area(point, radius) * stored_share(point); }
-  /// Fills the queue's column of areas, for the photons found within its radii.
+  /// Fills the queue's column of areas, for the photons found within its radii. On large meshes neighbouring points
+  /// share one measurement, in proportion to their squared radii.
   void fill(GatherQueue& points) const;
 
  private:
   float area(const GatherPoint& point, float radius) const;
+  bool shares_area(std::uint32_t surface) const;
   /// The point as textures need it.
   struct TexturePoint {
     Vec2<float> uv;

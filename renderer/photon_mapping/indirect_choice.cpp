@@ -6,7 +6,6 @@
 #include <cstdint>
 #include <cstdio>
 #include <limits>
-#include <numeric>
 #include <optional>
 #include <variant>
 #include <vector>
@@ -15,7 +14,6 @@
 #include "renderer/light_sampling/scene_lights.h"
 #include "renderer/passes/scratch_pool.h"
 #include "renderer/passes/tile_film.h"
-#include "renderer/planning/area_price.h"
 #include "renderer/scene/surface_detail.h"
 #include "renderer/sensor/film.h"
 #include "scenes/base/timer.h"
@@ -50,7 +48,7 @@ struct Sample {
 struct PilotImage {
   std::vector<Sample> pixels{};  ///< row by row
   double rays_a_sample = 0;
-  double areas_a_sample = 0;  ///< nanoseconds
+  std::vector<double> points_a_sample{};  ///< that it leaves, by surface
 };
 
 RgbD block_mean(const PilotImage& image, std::size_t pixel) {
@@ -129,28 +127,28 @@ class PilotTracer {
         rows_(std::clamp((pilot_pixels + window.width() - 1) / window.width(), 1, window.height())),
         scratch_(source.job.kernels().path) {}
 
-  /// Traces the pilot; the camera samples are the same for every policy at diffuse surfaces. The prices are those of
-  /// the areas where it leaves points.
-  PilotImage trace(PathPolicy policy, const AreaPrices& prices) {
+  /// Traces the pilot; the camera samples are the same for every policy at diffuse surfaces.
+  PilotImage trace(PathPolicy policy) {
     const auto width = static_cast<std::size_t>(window_.width()), rows = static_cast<std::size_t>(rows_);
     PilotImage image;
     image.pixels.resize(width * rows);
     RayTotals totals;
-    std::vector<double> areas(rows);
+    std::vector<std::vector<std::uint32_t>> left(rows);
     source_.threads.for_each(rows, [&](std::size_t row) {
-      areas[row] = trace_row(static_cast<int>(row), policy, prices, &image.pixels[row * width], totals);
+      left[row] = trace_row(static_cast<int>(row), policy, &image.pixels[row * width], totals);
     });
     const RayCounts rays = totals.counts();
-    image.rays_a_sample = static_cast<double>(rays.camera + rays.bounce + rays.shadow) /
-                          static_cast<double>(image.pixels.size() * samples_a_pixel);
-    image.areas_a_sample =
-        std::accumulate(areas.begin(), areas.end(), 0.0) / static_cast<double>(image.pixels.size() * samples_a_pixel);
+    const double each = 1 / static_cast<double>(image.pixels.size() * samples_a_pixel);
+    image.rays_a_sample = static_cast<double>(rays.camera + rays.bounce + rays.shadow) * each;
+    image.points_a_sample.resize(source_.scene.surfaces.size());
+    for (const std::vector<std::uint32_t>& surfaces : left)
+      for (const std::uint32_t surface : surfaces) image.points_a_sample[surface] += each;
     return image;
   }
 
  private:
-  /// Returns the time of the areas.
-  double trace_row(int row, PathPolicy policy, const AreaPrices& prices, Sample* pixels, RayTotals& totals) {
+  /// Returns the surfaces where paths leave points.
+  std::vector<std::uint32_t> trace_row(int row, PathPolicy policy, Sample* pixels, RayTotals& totals) {
     const int y = window_.y0 + (2 * row + 1) * window_.height() / (2 * rows_);
     PathTask task{.scene = &source_.scene.view(),
                   .camera = camera_task(source_.job, {window_.x0, y, window_.x1, y + 1}, 0, samples_a_pixel),
@@ -171,9 +169,9 @@ class PilotTracer {
       pixels[i / samples_a_pixel].squares += value * value;
     }
     left.set_size(task.points.count);
-    double areas = 0;
-    for (std::size_t i = 0; i < left.size(); ++i) areas += prices.of(surface_number(left[i].surface));
-    return areas;
+    std::vector<std::uint32_t> surfaces(left.size());
+    for (std::size_t i = 0; i < left.size(); ++i) surfaces[i] = surface_number(left[i].surface);
+    return surfaces;
   }
 
   const PhotonSource& source_;
@@ -184,8 +182,9 @@ class PilotTracer {
 };
 
 double relmse_of_maps(double samples, const IndirectPilot& pilot) {
-  const double in_disc = photons_in_disc_of_million * std::pow(samples * pilot.photons_a_sample / 1e6, 2.0 / 3);
-  return pilot.maps.variance / samples + 1.5 * pilot.indirect_square / in_disc;
+  const double photons = samples * pilot.photons_a_sample, rays = pilot.maps.variance / samples;
+  if (!pilot.trials.empty()) return rays + pilot.trials.error(photons);
+  return rays + 1.5 * pilot.indirect_square / (photons_in_disc_of_million * std::pow(photons / 1e6, 2.0 / 3));
 }
 
 /// Number of camera samples with which the maps reach that relmse.
@@ -201,15 +200,16 @@ double samples_to(double relmse, const IndirectPilot& pilot) {
 }  // namespace
 
 IndirectChoice choose_indirect(const IndirectPilot& pilot, const RenderBudget& budget, std::int64_t samples) {
+  const double map_time = pilot.maps.nanoseconds + pilot.areas;
   double relmse = 0, time = 0;  // of the maps
   if (budget.target_error) {
     relmse = *budget.target_error * *budget.target_error;
-    time = samples_to(relmse, pilot) * pilot.maps.nanoseconds;
+    time = samples_to(relmse, pilot) * map_time;
   } else {
     // Times are those of the tables, for one thread: the image must not depend on the machine.
     time = budget.seconds ? *budget.seconds * 1e9 / pilot.pixels
-                          : static_cast<double>(budget.spp.value_or(samples)) * pilot.maps.nanoseconds;
-    relmse = relmse_of_maps(time / pilot.maps.nanoseconds, pilot);
+                          : static_cast<double>(budget.spp.value_or(samples)) * map_time;
+    relmse = relmse_of_maps(time / map_time, pilot);
   }
   if (!(relmse * time > 0)) return {IndirectLight::map, true, "indirect light by photon maps: a pilot meets no noise"};
   const auto part = [&](const WayOfLight& way) { return way.variance * way.nanoseconds / (relmse * time); };
@@ -229,20 +229,17 @@ IndirectChoice choose_indirect(const IndirectPilot& pilot, const RenderBudget& b
   return choice;
 }
 
-IndirectChoice choose_indirect(const PhotonSource& source, const PhotonMaps& maps, const RenderPlan& plan,
-                               const Tile& window, RenderStats& stats) {
-  if (emission_misses_planes(source.scene.surfaces, source.scene.lights))
-    return {IndirectLight::path, true, std::string("indirect light by path tracing: ") + light_that_maps_miss};
+IndirectPilot pilot_indirect(const PhotonSource& source, const PhotonMaps& maps, const RenderPlan& plan,
+                             const Tile& window, RenderStats& stats) {
   const PhaseTimer phase(stats.phases["pilot"]);
   const PathSettings settings = camera_path_settings(source.settings, plan);
   PilotTracer tracer(source, settings, window);
   const bool caustics = maps.caustic.wanted;
-  const AreaPrices prices(source.scene, maps.global.radii.radius);
-  const PilotImage direct = tracer.trace(policy_of_maps(source.scene, settings), prices);
-  const PilotImage beside = tracer.trace(caustics ? PathPolicy::beside_caustic_map : PathPolicy::path_tracing, prices);
+  const PilotImage direct = tracer.trace(policy_of_maps(source.scene, settings));
+  const PilotImage beside = tracer.trace(caustics ? PathPolicy::beside_caustic_map : PathPolicy::path_tracing);
   std::optional<PilotImage> alone;
   if (caustics && brightest_light(source.scene, source.job.seed) < bright * mean_of(beside))
-    alone = tracer.trace(PathPolicy::path_tracing, prices);
+    alone = tracer.trace(PathPolicy::path_tracing);
 
   const double ray = plan.scene.small && !plan.scene.detailed ? ray_by_brute_force : ray_elsewhere;
   const CameraView& camera = source.scene.view().camera;
@@ -251,8 +248,8 @@ IndirectChoice choose_indirect(const PhotonSource& source, const PhotonMaps& map
                           (source.scene.view().guided_emission ? guided_start : 0);
   const double map_time = gather_time + photons_a_path * a_photon;
   IndirectPilot pilot;
-  pilot.maps = {variance_of(direct, beside),
-                direct.rays_a_sample * ray + (caustics ? 2 : 1) * map_time + direct.areas_a_sample};
+  pilot.maps = {variance_of(direct, beside), direct.rays_a_sample * ray + (caustics ? 2 : 1) * map_time};
+  pilot.gathers_a_sample = direct.points_a_sample;
   pilot.beside_caustics = {variance_of(beside, beside),
                            beside.rays_a_sample * ray + (caustics ? map_time + gather_time : 0)};
   if (alone) pilot.paths_alone = {variance_of(*alone, *alone), alone->rays_a_sample * ray};
@@ -260,7 +257,7 @@ IndirectChoice choose_indirect(const PhotonSource& source, const PhotonMaps& map
   pilot.caustics = caustics;
   pilot.photons_a_sample = maps.global.a_sample;
   pilot.pixels = static_cast<double>(window.width()) * window.height();
-  return choose_indirect(pilot, source.job.budget, source.job.sample_count);
+  return pilot;
 }
 
 }  // namespace photonproof::inline renderer_photon_mapping

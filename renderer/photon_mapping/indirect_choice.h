@@ -3,18 +3,21 @@
 // method the samples' variance V, relative to the image as in relmse, and the rays of a sample. Measured tables of the
 // time of rays and gathers turn these into a time C. After S samples, that is after S C, the expected errors are:
 //   path tracing   `relmse V/S`.
-//   the maps       `relmse V/S + 3/2 i^2 / M`, where `M = 700 (N / 1e6)^(2/3)`.
-// The term i^2 is the indirect part of the image's square; M is the number of photons in a disc after N photons in all.
-// A gather's variance is 1/M, and its squared bias half of that at the best radius (gather_bias.h). So maps win early,
-// path tracing late, and the requested error, samples or time decide.
-// Path tracing alone finds caustics by rays that happen to meet lights. Where a light is much brighter than the image,
-// such hits are too rare for a pilot to measure their variance. The caustic map then stays.
+//   the maps       `relmse V/S + E(N)`, where E is the error of the best radius with N photons in all
+//   (radius_trials.h).
+// Where no radii were tried, `E = 3/2 i^2 / M` and `M = 700 (N / 1e6)^(2/3)`. The term i^2 is the indirect part of the
+// image's square; M is the number of photons in a disc. A gather's variance is 1/M, and its squared bias half of that
+// at the best radius (gather_bias.h). So maps win early, path tracing late, and the requested error, samples or time
+// decide. Path tracing alone finds caustics by rays that happen to meet lights. Where a light is much brighter than the
+// image, such hits are too rare for a pilot to measure their variance. The caustic map then stays.
 #pragma once
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "renderer/photon_mapping/photon_maps.h"
+#include "renderer/photon_mapping/radius_trials.h"
 
 namespace photonproof::inline renderer_photon_mapping {
 
@@ -29,10 +32,13 @@ struct WayOfLight {
 
 struct IndirectPilot {
   WayOfLight maps, beside_caustics;
-  std::optional<WayOfLight> paths_alone;  ///< Absent where the pilot cannot measure their error.
-  bool caustics = false;                  ///< Whether there is a caustic map.
-  double indirect_square = 0;             ///< The term i^2 of above.
-  double photons_a_sample = 0;            ///< The ratio N / S.
+  double areas = 0;                        ///< nanoseconds of the maps' areas on meshes, a camera sample
+  std::vector<double> gathers_a_sample{};  ///< by surface
+  std::optional<WayOfLight> paths_alone;   ///< Absent where the pilot cannot measure their error.
+  bool caustics = false;                   ///< Whether there is a caustic map.
+  double indirect_square = 0;              ///< The term i^2 of above.
+  RadiusTrials trials{};                   ///< Of the global map; may be empty.
+  double photons_a_sample = 0;             ///< The ratio N / S.
   double pixels = 1;
 };
 
@@ -50,8 +56,8 @@ IndirectChoice choose_indirect(const IndirectPilot& pilot, const RenderBudget& b
 inline constexpr const char* light_that_maps_miss =
     "photon maps miss what a plane without end throws back, from afar, of light from infinity";
 
-/// Traces the pilot's paths and chooses a method; path tracing where maps would miss light.
-IndirectChoice choose_indirect(const PhotonSource& source, const PhotonMaps& maps, const RenderPlan& plan,
-                               const Tile& window, RenderStats& stats);
+/// Traces the pilot's paths. They cost less than trials of radii where meshes are large.
+IndirectPilot pilot_indirect(const PhotonSource& source, const PhotonMaps& maps, const RenderPlan& plan,
+                             const Tile& window, RenderStats& stats);
 
 }  // namespace photonproof::inline renderer_photon_mapping

@@ -1,6 +1,6 @@
 // Irradiance records against closed forms, and the photon mapper that interpolates between them.
 
-#include "renderer/photon_mapping/irradiance_cache.h"
+#include "renderer/irradiance/irradiance_cache.h"
 
 #include <gtest/gtest.h>
 
@@ -13,9 +13,9 @@
 
 #include "renderer/core/parallel.h"
 #include "renderer/integrators/test_scenes.h"
-#include "renderer/photon_mapping/cache_picture.h"
+#include "renderer/irradiance/cache_picture.h"
+#include "renderer/irradiance/irradiance_record.h"
 #include "renderer/photon_mapping/cache_prepass.h"
-#include "renderer/photon_mapping/irradiance_record.h"
 #include "renderer/planning/test_compiled.h"
 
 namespace photonproof::inline renderer_photon_mapping {

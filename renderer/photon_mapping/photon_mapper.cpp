@@ -13,10 +13,12 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "renderer/irradiance/irradiance_cache.h"
 #include "renderer/light_sampling/scene_lights.h"
 #include "renderer/passes/aov.h"
 #include "renderer/passes/render_loop.h"
@@ -27,15 +29,17 @@
 #include "renderer/photon_mapping/gather_area.h"
 #include "renderer/photon_mapping/gather_bias.h"
 #include "renderer/photon_mapping/indirect_choice.h"
-#include "renderer/photon_mapping/irradiance_cache.h"
 #include "renderer/photon_mapping/photon_dots.h"
 #include "renderer/photon_mapping/photon_maps.h"
+#include "renderer/photon_mapping/radius_pilot.h"
+#include "renderer/planning/area_price.h"
 #include "renderer/scene/projection_targets.h"
 #include "scenes/base/input_error.h"
 
 namespace photonproof::inline renderer_photon_mapping {
 namespace {
 
+constexpr std::int64_t longest_pass = 64;  ///< samples a pixel
 constexpr const char* not_shown = "the view does not show it";
 
 /// Decides on a map. `needed` is whether the scene needs it, if paths are long enough.
@@ -135,7 +139,7 @@ void plan_camera_paths(Planner& planner, const PhotonSettings& settings, const A
 
 PassPlan plan_passes(const PhotonSettings& settings, const PhotonMaps& maps) {
   return {.phase = "photon mapping",
-          .longest = settings.textbook ? 1 : 64,
+          .longest = settings.textbook ? 1 : longest_pass,
           .parts = settings.parts_of_samples,
           .budget = maps.totals() + ", indirect light by " + word_of(settings.indirect)};  // all passes follow from it
 }
@@ -159,28 +163,92 @@ void keep(RenderLoop& loop, PhotonMaps& maps) {
   }
 }
 
-bool has_meshes(const Scene& scene) {
-  return std::ranges::any_of(scene.surfaces, [](const Surface& s) { return mesh_of(s.geometry) != nullptr; });
+/// Whether the map's first radius is tried out: not where the scene or the textbook decides it. A final gather looks up
+/// photons a bounce further than the pilot's points are.
+bool tries_radii(const MapState& map, const PhotonSettings& settings) {
+  const bool gathered = settings.indirect == IndirectLight::gather && map.kind == PhotonKind::global;
+  return !map.fixed_radius && !settings.textbook && !gathered;
+}
+
+/// Limit of the photons that a pilot's gather finds. On rough surfaces every sample gathers, and values its BSDF for
+/// every photon: in the longest pass that shall not take much more time than the sample's rays.
+double most_found(const MapState& map, const Scene& scene, const PathSettings& paths) {
+  constexpr double valued_in_a_sample = 32;
+  if (map.kind != PhotonKind::caustic || !splits_rough_parts(scene, policy_of_maps(scene, paths)))
+    return std::numeric_limits<double>::infinity();
+  return valued_in_a_sample * static_cast<double>(pilot_photons) / (static_cast<double>(longest_pass) * map.a_sample);
+}
+
+/// Replaces guessed first radii by the best that a pilot finds.
+void try_radii(const PhotonSource& source, const RenderPlan& plan, const GatherAreas& areas, const Tile& window,
+               const std::vector<MapState*>& maps, RenderStats& stats) {
+  const PhaseTimer phase(stats.phases["pilot"]);
+  std::optional<RadiusPilot> pilot;
+  const PathSettings paths = camera_path_settings(source.settings, plan);
+  for (MapState* map : maps) {
+    if (!tries_radii(*map, source.settings) || map->tried) continue;
+    map->tried = true;
+    if (!pilot) pilot.emplace(source, paths, areas, window);
+    const auto emitted = static_cast<double>(pilot_photons);
+    map->trials = pilot->try_radii(map->pilot, emitted,
+                                   {.least = guessed_radius(*map, emitted),
+                                    .most = widest_useful(source.scene),
+                                    .most_found = most_found(*map, source.scene, paths)});
+    map->pilot = {};
+    map->radii.radius = static_cast<float>(guessed_radius(*map, map->radii.first_photons));
+  }
+}
+
+/// What gathers need, made when a method needs it.
+struct GatherTools {
+  const PhotonSource& source;
+  const RenderPlan& plan;
+  const Tile window;
+  RenderStats& stats;
+  std::optional<GatherAreas> areas{};
+
+  const GatherAreas& make_areas() {
+    if (areas) return *areas;
+    const PhaseTimer phase(stats.phases["build"]);
+    return areas.emplace(source.scene, source.threads);
+  }
+  void try_radii_of(const std::vector<MapState*>& maps) { try_radii(source, plan, make_areas(), window, maps, stats); }
+};
+
+/// The choice between the maps and path tracing. Radii are tried out before, except where the maps lose by the table's
+/// numbers: trials cost most where meshes are large.
+IndirectChoice choose_indirect(PhotonMaps& maps, GatherTools& tools) {
+  const PhotonSource& source = tools.source;
+  if (emission_misses_planes(source.scene.surfaces, source.scene.lights))
+    return {IndirectLight::path, true, std::string("indirect light by path tracing: ") + light_that_maps_miss};
+  IndirectPilot pilot = pilot_indirect(source, maps, tools.plan, tools.window, tools.stats);
+  const auto choose = [&] {
+    pilot.areas = AreaPrices(source.scene, maps.global.radii.radius).time_of(pilot.gathers_a_sample);
+    return choose_indirect(pilot, source.job.budget, source.job.sample_count);
+  };
+  if (IndirectChoice choice = choose(); choice.indirect == IndirectLight::path) return choice;
+  tools.try_radii_of(maps.wanted());
+  pilot.trials = maps.global.trials;
+  return choose();
 }
 
 /// Chooses the method where the settings leave it open. Adds a warning where the chosen maps miss light.
-void choose_way(const PhotonSource& source, PhotonMaps& maps, const RenderPlan& plan, const Tile& window,
-                PhotonSettings& settings, RenderStats& stats) {
+void choose_way(PhotonMaps& maps, GatherTools& tools, PhotonSettings& settings) {
   const bool automatic = settings.indirect == IndirectLight::automatic;
   if (automatic) settings.indirect = IndirectLight::map;
   if (!maps.global.wanted) return;
+  const Scene& scene = tools.source.scene;
   if (automatic) {
-    if (has_meshes(source.scene)) maps.choose_first_radii(source, stats);
-    const IndirectChoice choice = choose_indirect(source, maps, plan, window, stats);
+    const IndirectChoice choice = choose_indirect(maps, tools);
     settings.indirect = choice.indirect;
     // A pass takes as many samples as all before, so that passes end where Sobol points are even. Time to equal error
     // on `lens`: 7 % less.
     if (settings.indirect == IndirectLight::path) settings.parts_of_samples = 1;
     maps.caustic.wanted = maps.caustic.wanted && choice.caustic_map;
-    stats.choices.push_back(choice.why);
+    tools.stats.choices.push_back(choice.why);
   }
-  if (settings.indirect != IndirectLight::path && emission_misses_planes(source.scene.surfaces, source.scene.lights))
-    stats.losses.emplace_back(light_that_maps_miss);
+  if (settings.indirect != IndirectLight::path && emission_misses_planes(scene.surfaces, scene.lights))
+    tools.stats.losses.emplace_back(light_that_maps_miss);
 }
 
 /// Whether an irradiance cache with its own photons replaces the global map. Clears `wanted` of that map if a cache or
@@ -292,17 +360,16 @@ void render_photon_mapper(const Scene& scene, const RenderPlan& plan, const Rend
   const Threads threads(job.threads);
   const PhotonSource source{scene, settings, job, threads};
   PhotonMaps maps(plan, source);
-  choose_way(source, maps, plan, film.window(), settings, stats);
+  const bool no_areas = plan.view == Aov::photons;
+  if (!no_areas) maps.choose_first_radii(source, stats);
+  GatherTools tools{source, plan, film.window(), stats};
+  choose_way(maps, tools, settings);
   PassPlan passes = plan_passes(settings, maps);
-  if (plan.view == Aov::photons) return render_photon_dots(source, maps, passes, film, stats);
+  if (no_areas) return render_photon_dots(source, maps, passes, film, stats);
   const bool caches = takes_cache(settings, maps);
-  maps.choose_first_radii(source, stats);
   const std::vector<MapState*> wanted = maps.wanted();
-  std::optional<GatherAreas> areas;
-  if (!wanted.empty() || caches) {
-    const PhaseTimer phase(stats.phases["build"]);
-    areas.emplace(scene, threads);
-  }
+  if (!wanted.empty() || caches) tools.make_areas();
+  tools.try_radii_of(wanted);
 
   std::optional<Film> unseen;  // the image behind a view of numbers
   if (view.is_number()) unseen.emplace(film.window());
@@ -315,19 +382,19 @@ void render_photon_mapper(const Scene& scene, const RenderPlan& plan, const Rend
   if (unseen) loop.keep(film);
   keep(loop, maps);
   lessons.keep(loop);
-  CameraPass camera(scene, settings, plan, job, shown_by(view, settings.indirect, wanted), areas ? &*areas : nullptr,
-                    lessons.bias, lessons.effort);
+  CameraPass camera(scene, settings, plan, job, shown_by(view, settings.indirect, wanted),
+                    tools.areas ? &*tools.areas : nullptr, lessons.bias, lessons.effort);
   if (steers_samples(settings, view, job) && !plan.skips(Skip::camera_pilot)) {
     run_camera_pilot(scene, camera_path_settings(settings, plan), job, threads, image.window(), lessons.effort, stats);
     lessons.effort.choose();
   }
   if (caches) {
-    lessons.checked.emplace(make_irradiance_cache(plan, source, *areas, film.window(), stats));
+    lessons.checked.emplace(make_irradiance_cache(plan, source, *tools.areas, film.window(), stats));
     camera.use(lessons.checked->cache);
   }
   while (loop.next()) {
     for (MapState* map : wanted) {
-      map->tests = areas->tests(map->radii.radius);
+      map->tests = tools.areas->tests(map->radii.radius);
       map->pass_photons = static_cast<double>(refill(*map, source, loop.first(), loop.first() + loop.samples(), stats));
     }
     const PhaseTimer phase(stats.phases["render"]);

@@ -17,8 +17,7 @@ namespace {
 
 constexpr double photons_a_camera_path = 0.25;          // for each map: gathers and paths then take about equal time
 constexpr std::int64_t fewest_photons_a_pass = 16'384;  // small images need enough for their mean, too
-constexpr std::uint64_t pilot_photons = 20'000;
-constexpr double guessed_for = 1e6;  // emitted photons that MapState::photons_in_disc refers to
+constexpr double guessed_for = 1e6;                     // emitted photons that MapState::photons_in_disc refers to
 
 /// Photons in a disc of gathers one bounce further: many directions average their noise but not their bias. The passes'
 /// evidence tells little about the best radius for them, since directions cause most of its noise.
@@ -47,8 +46,9 @@ void choose_first_radius(MapState& map, double asked, const PhotonSource& source
   map.fixed_radius = radius > 0;
   if (!map.wanted || map.fixed_radius) return;
   const PhotonRun pilot{map.kind, pilot_stream, source.job.seed, 0, pilot_photons, -1, map.aimed};
-  radius = guess_radius(source.scene, pilot, static_cast<std::uint64_t>(guessed_for), map.photons_in_disc,
-                        {source.job.kernels(), source.job.sampler}, source.threads, totals);
+  map.pilot = trace_photons(source.scene, pilot, {source.job.kernels(), source.job.sampler}, source.threads, totals);
+  radius = guess_radius(source.scene, map.pilot, static_cast<double>(pilot_photons), guessed_for, map.photons_in_disc,
+                        source.threads);
   // A pilot that stores nothing means a map small enough for any radius.
   if (radius <= 0) radius = 4 * std::max(median_pixel_footprint(source.scene), 1e-6f);
   map.radii.first_photons = std::max(map.a_sample, static_cast<double>(map.least));
@@ -85,11 +85,15 @@ void store_counts_of(const MapState& state, double scale, std::int64_t passes, R
   stats.counts["photons_in_disc_" + name] = state.in_disc(passes);
 }
 
+/// Extent of the visible scene along the image's shorter side.
+double extent_seen(const Scene& scene) {
+  const CameraView& camera = scene.view().camera;
+  return double{median_pixel_footprint(scene)} / double{std::min(camera.inverse_width, camera.inverse_height)};
+}
+
 /// Adds a warning where the scene fixes a radius so wide that both radii of the bias estimate miss the bias.
 void say_if_wide(const MapState& map, const Scene& scene, RenderStats& stats) {
-  const CameraView& camera = scene.view().camera;
-  const double pixels = 1 / double{std::min(camera.inverse_width, camera.inverse_height)};
-  const double across = pixels * double{median_pixel_footprint(scene)}, radius = double{map.radii.radius};
+  const double across = extent_seen(scene), radius = double{map.radii.radius};
   if (map.gathers == 0 || !map.fixed_radius || !(radius > wide_part * across)) return;
   char text[200];
   std::snprintf(text, sizeof text,
@@ -174,6 +178,11 @@ PhotonSettings::PhotonSettings(const IntegratorDescription& description, const R
   }
 }
 
+double guessed_radius(const MapState& map, double photons) {
+  return map.trials.empty() ? map.radii.first_radius * shrunk(photons / map.radii.first_photons)
+                            : map.trials.best(photons);
+}
+
 void choose_next_radius(MapState& map, const PhotonSettings& settings, const GatherBias::Evidence& evidence,
                         const PassHalves& halves, double all_samples) {
   RadiusHistory& radii = map.radii;
@@ -184,7 +193,7 @@ void choose_next_radius(MapState& map, const PhotonSettings& settings, const Gat
     next = now * std::sqrt((passes + settings.textbook->alpha) / (passes + 1));
   } else if (!map.fixed_radius) {
     const double photons = radii.worth() * all_samples / halves.all_samples();
-    const double guess = radii.first_radius * shrunk(photons / radii.first_photons);
+    const double guess = guessed_radius(map, photons);
     next = guess;
     const bool gathered = settings.indirect == IndirectLight::gather && map.kind == PhotonKind::global;
     if (halves.passes[1] >= least_evidence && !gathered) {
@@ -194,6 +203,8 @@ void choose_next_radius(MapState& map, const PhotonSettings& settings, const Gat
   }
   radii.radius = static_cast<float>(next);
 }
+
+double widest_useful(const Scene& scene) { return wide_part * extent_seen(scene); }
 
 double shrunk(double times) { return std::pow(times, -1.0 / 6); }
 

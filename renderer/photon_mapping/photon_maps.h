@@ -18,6 +18,7 @@
 #include "renderer/photon_mapping/gather_area.h"
 #include "renderer/photon_mapping/gather_bias.h"
 #include "renderer/photon_mapping/photon_tracing.h"
+#include "renderer/photon_mapping/radius_trials.h"
 #include "renderer/photons/photon_map.h"
 #include "renderer/photons/photons.h"
 #include "renderer/planning/plan.h"
@@ -63,6 +64,9 @@ struct PhotonSettings {
   bool looks_further() const { return indirect != IndirectLight::map; }
 };
 
+/// Light paths of the pilot that measures a map's first radius.
+inline constexpr std::uint64_t pilot_photons = 20'000;
+
 /// One of the two maps, with the state needed to refill it every pass.
 struct MapState {
   PhotonKind kind;
@@ -78,6 +82,9 @@ struct MapState {
   std::vector<SheetTest> tests{};  ///< by surface
   PhotonCounts counts{};
   double pass_photons = 0;                          ///< Number emitted in this pass.
+  Photons pilot{};                                  ///< of pilot_photons light paths; until radii are tried
+  bool tried = false;                               ///< radii, once
+  RadiusTrials trials{};                            ///< empty where the first guess stays
   std::atomic<std::uint64_t> gathers{0}, found{0};  ///< Number of gathers and of photons found, over all passes.
   PhotonMap map{};
 
@@ -145,8 +152,14 @@ bool splits_rough_parts(const Scene& scene, PathPolicy policy);
 /// Whether paths that end at a gather trace one more ray.
 bool looks_at_environment(const Scene& scene, const PathSettings& settings);
 
+/// Wider gathers would blur all shades of light.
+double widest_useful(const Scene& scene);
+
 /// Factor of a radius when there are `times` as many photons.
 double shrunk(double times);
+
+/// The radius for photons of so many light paths, as far as pilots know.
+double guessed_radius(const MapState& map, double photons);
 
 /// Decides the map's radius for the next pass, which ends at sample `all_samples` of a pixel, from the passes so far.
 void choose_next_radius(MapState& map, const PhotonSettings& settings, const GatherBias::Evidence& evidence,

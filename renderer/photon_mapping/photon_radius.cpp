@@ -70,12 +70,10 @@ double photons_around_one(const Photons& photons, float radius, const Threads& t
   return std::accumulate(around.begin(), around.end(), 0.0) / static_cast<double>(probes);
 }
 
-float guess_radius(const Scene& scene, PhotonRun pilot, std::uint64_t total, double photons_in_disc,
-                   const PhotonMethod& method, const Threads& threads, RayTotals& totals) {
+float guess_radius(const Scene& scene, const Photons& photons, double emitted, double total, double photons_in_disc,
+                   const Threads& threads) {
   constexpr std::size_t probes = 64;
   constexpr std::size_t neighbour = 16;  // the distance to this neighbour measures the density around a probe
-  pilot.stream = pilot_stream;
-  const Photons photons = trace_photons(scene, pilot, method, threads, totals);
   if (photons.size() <= neighbour) return 0;
 
   const PhotonsBySurface by_surface(photons);
@@ -85,8 +83,7 @@ float guess_radius(const Scene& scene, PhotonRun pilot, std::uint64_t total, dou
                    [&](std::size_t i) { distances[i] = by_surface.distance_to_neighbour(i * stride, neighbour); });
   std::erase_if(distances, [](float distance) { return distance < 0; });
   if (distances.empty()) return 0;
-  const double scale =
-      photons_in_disc / static_cast<double>(neighbour) * static_cast<double>(pilot.count) / static_cast<double>(total);
+  const double scale = photons_in_disc / static_cast<double>(neighbour) * emitted / total;
   const auto radius = static_cast<float>(median(distances) * std::sqrt(scale));
   const float footprint = median_pixel_footprint(scene);
   return footprint > 0 ? std::clamp(radius, 0.35f * footprint, 20 * footprint) : radius;

@@ -5,10 +5,11 @@
 
 namespace photonproof::inline renderer_photon_mapping {
 
-/// The gather radius whose disc holds `photons_in_disc` photons at the median photon of a run of `total` paths. It is
-/// kept between 0.35 and 20 pixel footprints, and is 0 when the pilot stores too few photons to measure.
-float guess_radius(const Scene& scene, PhotonRun pilot, std::uint64_t total, double photons_in_disc,
-                   const PhotonMethod& method, const Threads& threads, RayTotals& totals);
+/// The gather radius whose disc holds `photons_in_disc` photons at the median photon of `total` paths, by the photons
+/// of a pilot of `emitted` paths. It is kept between 0.35 and 20 pixel footprints, and is 0 when the pilot stored too
+/// few photons to measure.
+float guess_radius(const Scene& scene, const Photons& photons, double emitted, double total, double photons_in_disc,
+                   const Threads& threads);
 
 /// Mean number of other photons of the same surface within `radius` of a photon, over a sample of photons; 0 without
 /// any.

@@ -16,6 +16,8 @@ class AreaPrices {
 
   /// Nanoseconds of a gather on the surface of that number, 0 where it is no mesh.
   double of(std::uint32_t surface) const { return price_.empty() ? 0 : price_[surface]; }
+  /// Nanoseconds of numbers of gathers, by surface.
+  double time_of(const std::vector<double>& gathers) const;
 
  private:
   std::vector<double> price_;  ///< by surface; empty without meshes

@@ -9,7 +9,7 @@
 
 #include "scenes/base/vec.h"
 
-namespace photonproof::inline renderer_photon_mapping {
+namespace photonproof::inline renderer_irradiance {
 
 /// M x N cells of equal projected solid angle: polar strata outside, azimuthal ones inside.
 struct HemisphereGrid {
@@ -46,4 +46,4 @@ IrradianceRecord make_record(const Vec3f& p, const Vec3f& n, const HemisphereGri
 /// The x and y axes of the frame that the grid's directions are in, for records of this normal.
 std::array<Vec3f, 2> record_axes(const Vec3f& n);
 
-}  // namespace photonproof::inline renderer_photon_mapping
+}  // namespace photonproof::inline renderer_irradiance

@@ -1,11 +1,11 @@
-#include "renderer/photon_mapping/irradiance_cache.h"
+#include "renderer/irradiance/irradiance_cache.h"
 
 #include <algorithm>
 #include <bit>
 #include <cmath>
 #include <limits>
 
-namespace photonproof::inline renderer_photon_mapping {
+namespace photonproof::inline renderer_irradiance {
 namespace {
 
 constexpr int unit_level = 24;
@@ -132,4 +132,4 @@ Rgb IrradianceCache::interpolate(const Vec3f& p, const Vec3f& n) const {
   return best != nullptr ? best->irradiance : Rgb(0.0f);
 }
 
-}  // namespace photonproof::inline renderer_photon_mapping
+}  // namespace photonproof::inline renderer_irradiance

@@ -13,7 +13,7 @@
 #include "renderer/sensor/film.h"
 #include "scenes/base/vec.h"
 
-namespace photonproof::inline renderer_photon_mapping {
+namespace photonproof::inline renderer_irradiance {
 
 class CacheError {
  public:
@@ -32,4 +32,4 @@ class CacheError {
   std::vector<Pixel> pixels_;
 };
 
-}  // namespace photonproof::inline renderer_photon_mapping
+}  // namespace photonproof::inline renderer_irradiance

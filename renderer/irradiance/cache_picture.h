@@ -6,11 +6,11 @@
 #include <cstdint>
 #include <vector>
 
+#include "renderer/irradiance/irradiance_cache.h"
 #include "renderer/kernels/gather_points.h"
-#include "renderer/photon_mapping/irradiance_cache.h"
 #include "renderer/sensor/camera_view.h"
 
-namespace photonproof::inline renderer_photon_mapping {
+namespace photonproof::inline renderer_irradiance {
 
 /// Colour from red over yellow and green to blue at 1.5, 4, 9 and 24 pixels, linear in the logarithm.
 Rgb colour_of_reach(float pixels);
@@ -26,4 +26,4 @@ struct PicturedPaths {
 /// Colour of each pixel.
 std::vector<Rgb> cache_picture(const IrradianceCache& cache, const CameraView& camera, const PicturedPaths& paths);
 
-}  // namespace photonproof::inline renderer_photon_mapping
+}  // namespace photonproof::inline renderer_irradiance

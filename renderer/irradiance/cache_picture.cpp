@@ -1,4 +1,4 @@
-#include "renderer/photon_mapping/cache_picture.h"
+#include "renderer/irradiance/cache_picture.h"
 
 #include <algorithm>
 #include <array>
@@ -8,7 +8,7 @@
 #include "renderer/photons/surface_side.h"
 #include "renderer/sensor/camera.h"
 
-namespace photonproof::inline renderer_photon_mapping {
+namespace photonproof::inline renderer_irradiance {
 namespace {
 
 constexpr float brightest_grey = 0.3f, half_as_bright = 0.5f;
@@ -52,4 +52,4 @@ std::vector<Rgb> cache_picture(const IrradianceCache& cache, const CameraView& c
   return dots;
 }
 
-}  // namespace photonproof::inline renderer_photon_mapping
+}  // namespace photonproof::inline renderer_irradiance

@@ -11,9 +11,9 @@
 #include <unordered_map>
 #include <vector>
 
-#include "renderer/photon_mapping/irradiance_record.h"
+#include "renderer/irradiance/irradiance_record.h"
 
-namespace photonproof::inline renderer_photon_mapping {
+namespace photonproof::inline renderer_irradiance {
 
 class IrradianceCache {
  public:
@@ -56,4 +56,4 @@ class IrradianceCache {
   std::unordered_map<std::uint64_t, std::vector<std::uint32_t>> cells_;
 };
 
-}  // namespace photonproof::inline renderer_photon_mapping
+}  // namespace photonproof::inline renderer_irradiance

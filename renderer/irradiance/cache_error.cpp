@@ -1,8 +1,8 @@
-#include "renderer/photon_mapping/cache_error.h"
+#include "renderer/irradiance/cache_error.h"
 
 #include <algorithm>
 
-namespace photonproof::inline renderer_photon_mapping {
+namespace photonproof::inline renderer_irradiance {
 
 double CacheError::squared_bias(const Film& image) const {
   double sum = 0;
@@ -13,4 +13,4 @@ double CacheError::squared_bias(const Film& image) const {
   return std::max(0.0, sum / 3);
 }
 
-}  // namespace photonproof::inline renderer_photon_mapping
+}  // namespace photonproof::inline renderer_irradiance

@@ -1,4 +1,4 @@
-#include "renderer/photon_mapping/irradiance_record.h"
+#include "renderer/irradiance/irradiance_record.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 #include "renderer/lanes/warp.h"
 #include "renderer/photons/surface_side.h"
 
-namespace photonproof::inline renderer_photon_mapping {
+namespace photonproof::inline renderer_irradiance {
 namespace {
 
 constexpr double pi_of_records = std::numbers::pi;
@@ -125,4 +125,4 @@ IrradianceRecord make_record(const Vec3f& p, const Vec3f& n, const HemisphereGri
   return record;
 }
 
-}  // namespace photonproof::inline renderer_photon_mapping
+}  // namespace photonproof::inline renderer_irradiance
