@@ -18,7 +18,7 @@ namespace {
 constexpr int shared_levels = 5;  // cut level by level, their nodes in parallel; below, subtrees are
 /// Shares of the radius. Triangles and flat groups of them that are smaller count by their middle; smaller groups of
 /// other triangles count by a sample.
-constexpr float small_share = 1.0f / 4, sampled_share = 1.0f / 6;
+constexpr float small_share = 1.0f / 8, sampled_share = 1.0f / 6;
 constexpr float margin = 1e-5f;  // of cosines, for rounding: what is within it is looked at more closely
 
 using Corners = std::array<Vec3d, 3>;

@@ -148,8 +148,8 @@ TEST(area_price, counts_the_triangles_of_a_disc_and_of_its_border) {
   const AreaPrices nearest(scene, 0.05f * scale);
   const double within = 2500 * 0.0025 * 3.14159265;
   EXPECT_NEAR(nearest.of(0), 6 * within + 100 * std::sqrt(4 * 3.14159265 * within), 1);
-  EXPECT_NEAR(near.of(0), 6 * 50 + 100 * 25, 1) << "flat groups count whole";
-  EXPECT_EQ(all.of(0), near.of(0));
+  EXPECT_NEAR(near.of(0), 4 * 6 * within + 2 * 100 * std::sqrt(4 * 3.14159265 * within), 1);
+  EXPECT_NEAR(all.of(0), 6 * 200 + 100 * 50, 1) << "flat groups count whole";
   EXPECT_EQ(near.of(1), 0);
   // On rough ground each of the 245 triangles within counts, and the 56 on the border cost more. Of all 10,000 a sample
   // counts.

@@ -19,8 +19,8 @@ namespace {
 constexpr double triangle_within = 6, triangle_on_border = 180;  // ns
 // With more triangles, groups of them count by a sample: 40 microseconds on landscapes of 1e5.
 constexpr double most_by_samples = 40e3;  // ns
-// Flat groups of triangles a quarter of the radius wide count whole: so many are within and on the border.
-constexpr double groups_within = 50, groups_on_border = 25, group_on_border = 100;  // ns
+// Flat groups of triangles an eighth of the radius wide count whole: so many are within and on the border.
+constexpr double groups_within = 200, groups_on_border = 50, group_on_border = 100;  // ns
 
 double area_of(const Mesh& mesh) {
   double twice = 0;
@@ -84,7 +84,7 @@ AreaPrices::AreaPrices(const Scene& scene, float radius) {
     if (mesh == nullptr) continue;
     auto known = known_meshes.find(mesh);
     if (known == known_meshes.end())
-      known = known_meshes.emplace(mesh, Facts{area_of(*mesh), is_smooth_over(*mesh, double{radius} / 4)}).first;
+      known = known_meshes.emplace(mesh, Facts{area_of(*mesh), is_smooth_over(*mesh, double{radius} / 8)}).first;
     const auto* copy = std::get_if<MeshInstance>(&scene.surfaces[i].geometry);
     const double area = known->second.area * (copy != nullptr ? area_factor(*copy) : 1),
                  count = static_cast<double>(mesh->triangle_count());
