@@ -158,7 +158,8 @@ TEST(area_price, counts_the_triangles_of_a_disc_and_of_its_border) {
   const Scene rough = test::compiled(d, 16, 16);
   const auto rough_scale = static_cast<float>(rough.scale());
   EXPECT_EQ(AreaPrices(rough, 10 * rough_scale).of(0), 40e3);
-  EXPECT_GT(AreaPrices(rough, 0.05f * rough_scale).of(0), 1000);
+  EXPECT_GT(AreaPrices(rough, 0.05f * rough_scale).of(0),
+            0.7 * (6 * within + 180 * std::sqrt(4 * 3.14159265 * within)));
   EXPECT_LT(AreaPrices(rough, 0.05f * rough_scale).of(0), 6 * within + 180 * std::sqrt(4 * 3.14159265 * within));
   EXPECT_EQ(AreaPrices(rough, 10 * rough_scale).time_of({3, 5}), 3 * 40e3);
 }
