@@ -4,10 +4,10 @@
   docs_commands.py PROGRAM ROOT PAGE     PROGRAM: photonproof; ROOT: the sources; PAGE: a path below ROOT
 
 A block ```console has commands, which begin with "$ " ("> " continues them), and their output. One bash session runs all
-blocks of a page in an empty folder with copies of the folders scenes and harness. A number stands for any number, a line
-"..." for any lines, and " ..." at the end of a line for the rest of it. <!-- as in PAGE --> above a block says that PAGE
-runs it: the block's lines must be there, in this order. A block ```sh is not run; the line above it says why:
-<!-- not run: REASON -->. A page with <!-- needs: bwrap --> is skipped (77) where that program does not work.
+blocks of a page in an empty folder with copies of the scenes, suites and courses that they name. A number stands for any
+number, a line "..." for any lines, and " ..." at the end of a line for the rest of it. <!-- as in PAGE --> above a block
+says that PAGE runs it: the block's lines must be there, in this order. A block ```sh is not run; the line above it says
+why: <!-- not run: REASON -->. A page with <!-- needs: bwrap --> is skipped (77) where that program does not work.
 """
 import os
 import re
@@ -22,6 +22,7 @@ from source_tags import tell
 skipped = 77
 number = r"[-+−±]?(?:\d+(?:[.,]\d+)*|\.\d+)(?:e[-+]?\d+)?"
 end_of_command = "<end of a command>"
+sources = ("scenes/library", "scenes/showcase", "harness/ci", "harness/courses", "harness/suites")
 needs = {"bwrap": ["bwrap", "--ro-bind", "/", "/", "true"], "povray": ["povray", "--version"]}
 
 
@@ -85,6 +86,13 @@ def matches(expected, printed):
     return bool(printed) and bool(pattern(expected[0]).match(printed[0])) and matches(expected[1:], printed[1:])
 
 
+def sources_of(commands, root):
+    """Folders to copy, since copying all would take longer than most pages. Suites name library scenes."""
+    text = "".join(c.text for c in commands)
+    named = {name for name in sources if name in text} | ({"scenes/library"} if "harness/" in text else set())
+    return [name for name in sorted(named) if (root / name).is_dir()]
+
+
 def outputs_of(commands, program, root):
     """The lines that each command prints, errors included."""
     with tempfile.TemporaryDirectory() as folder:
@@ -92,7 +100,7 @@ def outputs_of(commands, program, root):
         programs.mkdir()
         work.mkdir()
         (programs / "photonproof").symlink_to(program)
-        for name in filter(lambda name: (root / name).is_dir(), ("scenes", "harness")):
+        for name in sources_of(commands, root):
             shutil.copytree(root / name, work / name, symlinks=True)
         # In braces on one line, so that bash has read the whole command before it runs it.
         script = "".join(f"{c.text}\n{{ code=$?; printf '\\n%s\\n' '{end_of_command}'; (exit $code); }}\n" for c in commands)
