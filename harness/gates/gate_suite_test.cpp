@@ -10,7 +10,7 @@ namespace photonproof::inline harness_gates {
 namespace {
 
 constexpr const char* head = "name = 'tiny'\ntitle = 'Tiny'\n";
-constexpr const char* scene = "[[scene]]\nname = 'a'\npath = 'a.xml'\nwidth = 8\nheight = 16\n";
+constexpr const char* scene_table = "[[scene]]\nname = 'a'\npath = 'a.xml'\nwidth = 8\nheight = 16\n";
 
 class GateSuiteFile : public FolderTest {
  protected:
@@ -35,7 +35,7 @@ std::string gate(const std::string& rows) { return "[[gate]]\nscene = 'a'\n" + r
 
 TEST_F(GateSuiteFile, a_gate_takes_what_it_does_not_say_from_the_suite) {
   const GateSuite suite =
-      read(std::string(head) + "alpha = 0.01\nseeds = 4\nlooks = 3\n" + scene +
+      read(std::string(head) + "alpha = 0.01\nseeds = 4\nlooks = 3\n" + scene_table +
            gate("engine = 'path'\nbudget = 'spp=16'\nmetric = 'agreement'\nbound = 0.02\n") +
            gate("engine = 'photonmapper'\nbudget = 'spp=4'\nmetric = 'flip'\nbound = 0.1\nname = 'own'\nalpha = 0.1\n"
                 "seeds = 6\nlooks = 1\n"));
@@ -57,7 +57,8 @@ TEST_F(GateSuiteFile, a_gate_takes_what_it_does_not_say_from_the_suite) {
 
 TEST_F(GateSuiteFile, a_row_with_several_scenes_and_engines_is_a_gate_for_each_pair) {
   put("b.xml", "");
-  const std::string both = std::string(head) + scene + "[[scene]]\nname = 'b'\npath = 'b.xml'\nwidth = 8\nheight = 8\n";
+  const std::string both =
+      std::string(head) + scene_table + "[[scene]]\nname = 'b'\npath = 'b.xml'\nwidth = 8\nheight = 8\n";
   const std::string rest = "budget = 'spp=1'\nmetric = 'bias'\nbound = 0.1\n";
   const auto names = [&](const std::string& row) {
     std::vector<std::string> all;
@@ -78,7 +79,7 @@ TEST_F(GateSuiteFile, a_row_with_several_scenes_and_engines_is_a_gate_for_each_p
 
 TEST_F(GateSuiteFile, only_an_engine_whose_command_has_a_seed_is_asked_for_independent_images) {
   const auto takes_seed = [&](const std::string& command) {
-    return read(std::string(head) + scene + "[[engine]]\nname = 'mine'\ntitle = 'm'\nbudgets = ['spp']\n" +
+    return read(std::string(head) + scene_table + "[[engine]]\nname = 'mine'\ntitle = 'm'\nbudgets = ['spp']\n" +
                 "trust = 'unbiased'\ncommand = " + command + "\n" +
                 gate("engine = 'mine'\nbudget = 'spp=1'\nmetric = 'relmse'\nbound = 0.1\n"))
         .gates.at(0)
@@ -89,7 +90,7 @@ TEST_F(GateSuiteFile, only_an_engine_whose_command_has_a_seed_is_asked_for_indep
 }
 
 TEST_F(GateSuiteFile, mistakes_are_told_with_their_place) {
-  const std::string front = std::string(head) + scene;
+  const std::string front = std::string(head) + scene_table;
   const std::string good = "engine = 'path'\nbudget = 'spp=16'\nmetric = 'agreement'\nbound = 0.02\n";
   EXPECT_EQ(error(front), "g.toml:1:1: error: the suite has no [[gate]]");
   EXPECT_EQ(error(front + "[[gate]]\nscene = 'b'\n" + good), "g.toml:9:9: error: unknown scene 'b'; known: a");
@@ -116,7 +117,7 @@ TEST_F(GateSuiteFile, mistakes_are_told_with_their_place) {
 
 TEST_F(GateSuiteFile, hdr_flip_is_bounded_only_where_the_scene_pins_its_exposures) {
   const std::string text =
-      std::string(head) + scene + gate("engine = 'path'\nbudget = 'spp=16'\nmetric = 'hdr_flip'\nbound = 0.1\n");
+      std::string(head) + scene_table + gate("engine = 'path'\nbudget = 'spp=16'\nmetric = 'hdr_flip'\nbound = 0.1\n");
   const std::string expect = "purpose = 'x'\nexposure = 0\n";
   put("expect.toml", expect);
   EXPECT_EQ(error(text),
@@ -128,7 +129,7 @@ TEST_F(GateSuiteFile, hdr_flip_is_bounded_only_where_the_scene_pins_its_exposure
 
 TEST_F(GateSuiteFile, a_gate_may_give_parameters_of_its_metric_and_no_others) {
   const auto text = [&](const std::string& metric, const std::string& key) {
-    return std::string(head) + scene +
+    return std::string(head) + scene_table +
            gate("engine = 'path'\nbudget = 'spp=16'\nmetric = '" + metric + "'\nbound = 0.1\n" + key);
   };
   put("expect.toml", "purpose = 'x'\nexposure = 3\n");

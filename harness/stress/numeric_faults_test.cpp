@@ -19,7 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// The sweeps that tell faults apart: feature and sweep, by path unless a line names another engine.
-const std::vector<std::string> sweep_runs{
+const std::vector<std::string> telling_runs{
     "shape sphere, scale up",        "shape sphere, scale down",          "shape sphere, translation",
     "shape sphere, as a huge floor", "shape cylinder, as a huge floor",   "coincident faces, glass in glass",
     "light cylinder, tiny",          "light directional, grazing",        "texture bitmap, moved uv",
@@ -52,12 +52,12 @@ TEST_P(NumericFaults, break_their_own_sweep_runs_and_no_other) {
   const FaultAndSweepRuns& fault = GetParam();
   std::vector<std::string> command{PHOTONPROOF_BINARY, "stress",     "-o",        (folder_.path() / "out").string(),
                                    "--engine",         fault.engine, "--program", program_with(fault).string()};
-  for (const std::string& sweep_run : sweep_runs) command.insert(command.end(), {"--only", sweep_run});
+  for (const std::string& sweep_run : telling_runs) command.insert(command.end(), {"--only", sweep_run});
   const ProcessOutcome outcome = run_process(command, {.wall_limit_seconds = 120});
   ASSERT_LE(outcome.exit_code, 1) << outcome.standard_output << outcome.standard_error;
   std::set<std::string> broken;
   const StressRecord record = read_stress_record(folder_.path() / "out/stress.json");
-  EXPECT_EQ(record.sweeps.size(), sweep_runs.size());
+  EXPECT_EQ(record.sweeps.size(), telling_runs.size());
   for (const StressSweep& sweep : record.sweeps)
     if (!sweep.reaches_wanted()) broken.insert(sweep.feature + ", " + sweep.sweep_run);
   EXPECT_EQ(broken, fault.breaks) << outcome.standard_output;

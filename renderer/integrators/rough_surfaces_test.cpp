@@ -103,11 +103,11 @@ std::vector<Material> materials() {
           {"thin principled", PrincipledThinDescription{.base_color = RgbD{0.6, 0.6, 0.3}, .spec_trans = 0.3}}};
 }
 
-constexpr int seeds = 6;
+constexpr int seeds_each = 6;
 
 std::vector<Image> path_traced(const SceneDescription& scene) {
   std::vector<Image> images;
-  for (int seed = 1; seed <= seeds; ++seed)
+  for (int seed = 1; seed <= seeds_each; ++seed)
     images.push_back(render(scene, "path", job_with(384, 0, static_cast<std::uint64_t>(seed))).image.mean);
   return images;
 }
@@ -117,7 +117,7 @@ std::vector<Image> path_traced(const SceneDescription& scene) {
 void expect_means(const std::vector<Image>& paths, const SceneDescription& scene, IndirectLight indirect,
                   const std::string& name) {
   double sums[2][2] = {}, squares[2][2] = {};  // by integrator and part
-  for (int seed = 1; seed <= seeds; ++seed) {
+  for (int seed = 1; seed <= seeds_each; ++seed) {
     RenderJob job = job_with(64, 0, static_cast<std::uint64_t>(seed));
     job.budget.photons.reset();
     const Image photons = render(test::with_indirect(scene, indirect), "photonmapper", job).image.mean;
@@ -130,10 +130,10 @@ void expect_means(const std::vector<Image>& paths, const SceneDescription& scene
     }
   }
   for (int part = 0; part < 2; ++part) {
-    const double path = sums[0][part] / seeds, photons = sums[1][part] / seeds;
+    const double path = sums[0][part] / seeds_each, photons = sums[1][part] / seeds_each;
     double variance = 0;
     for (int k = 0; k < 2; ++k)
-      variance += (squares[k][part] / seeds - std::pow(sums[k][part] / seeds, 2)) / (seeds - 1);
+      variance += (squares[k][part] / seeds_each - std::pow(sums[k][part] / seeds_each, 2)) / (seeds_each - 1);
     const double error = std::sqrt(variance);
     std::printf("%s, %s: photon mapper / path = %.4f +- %.4f\n", name.c_str(), part == 0 ? "image" : "floor",
                 photons / path, error / path);

@@ -23,7 +23,7 @@ namespace {
 
 using GeometryOfShape = decltype(ShapeDescription::geometry);
 
-const Transform turn = Transform::rotate({1, 2, 3}, 40);
+const Transform tilt = Transform::rotate({1, 2, 3}, 40);
 /// Where lights hang over.
 const Vec3d foot{1, -2, 0};
 constexpr double half = 8;
@@ -85,9 +85,9 @@ std::vector<std::pair<std::string, SceneDescription>> floors(const Transform& tu
 }
 
 TEST(grazing_lights, are_lights_low_above_every_shape) {
-  for (auto& [name, floor] : floors(turn)) {
+  for (auto& [name, floor] : floors(tilt)) {
     SceneDescription high = floor;
-    add_point(floor, foot + Vec3d{0, 0, 1e-5}, turn);
+    add_point(floor, foot + Vec3d{0, 0, 1e-5}, tilt);
     const std::vector<GrazingLight> area_lights = found(floor);
     ASSERT_EQ(area_lights.size(), 1u) << name;
     EXPECT_EQ(area_lights[0].light, 0u) << name;
@@ -96,7 +96,7 @@ TEST(grazing_lights, are_lights_low_above_every_shape) {
     EXPECT_GT(area_lights[0].rounding, 6e-8) << name;  // coordinates of 2 are 2.4e-7 apart
     EXPECT_LT(area_lights[0].rounding, name == "huge rectangle" ? 2e-5 : 2e-6)
         << name;  // what of it is lit reaches further
-    add_point(high, foot + Vec3d{0, 0, 0.05}, turn);
+    add_point(high, foot + Vec3d{0, 0, 0.05}, tilt);
     EXPECT_TRUE(found(high).empty()) << name;
   }
 }
@@ -123,9 +123,9 @@ TEST(grazing_lights, are_lights_above_a_floor_far_from_its_axis_origin) {
 
 TEST(grazing_lights, are_none_on_mirrors) {
   for (const bool is_mirror : {true, false}) {
-    SceneDescription d = is_mirror ? test_scene_on(RectangleDescription{}, as_floor, turn, ConductorDescription{})
-                                   : test_scene_on(RectangleDescription{}, as_floor, turn, PhongDescription{});
-    add_point(d, foot + Vec3d{0, 0, 1e-5}, turn);
+    SceneDescription d = is_mirror ? test_scene_on(RectangleDescription{}, as_floor, tilt, ConductorDescription{})
+                                   : test_scene_on(RectangleDescription{}, as_floor, tilt, PhongDescription{});
+    add_point(d, foot + Vec3d{0, 0, 1e-5}, tilt);
     EXPECT_EQ(found(d).empty(), is_mirror);
   }
 }
@@ -136,8 +136,8 @@ TEST(grazing_lights, are_those_that_shine_on_the_surface) {
       {{0, 0, 1}, false}, {{1, 0, 0.02}, true}, {{1, 0, 0}, true}, {{0, 0, -1}, true}};
   for (const auto& [facing, shines] : facings) {
     const Vec3d at = foot + Vec3d{0, 0, 1e-5};
-    const Transform towards = turn * Transform::look_at(at, at + facing, {0, 1, 0});
-    SceneDescription flat = test_scene_on(RectangleDescription{}, as_floor, turn), spot = flat;
+    const Transform towards = tilt * Transform::look_at(at, at + facing, {0, 1, 0});
+    SceneDescription flat = test_scene_on(RectangleDescription{}, as_floor, tilt), spot = flat;
     test::add_shape(flat, DiskDescription{}, towards * Transform::scale(Vec3d(1e-6)),
                     test::add_bsdf(flat, DiffuseDescription{}))
         .radiance = RgbD(1);
@@ -152,10 +152,10 @@ TEST(grazing_lights, are_those_that_shine_on_the_surface) {
 }
 
 TEST(grazing_lights, are_none_for_being_near_to_themselves) {
-  SceneDescription d = test_scene_on(RectangleDescription{}, as_floor, turn);
+  SceneDescription d = test_scene_on(RectangleDescription{}, as_floor, tilt);
   const MeshDescription tetrahedron = mesh_of({Vec3f(0, 0, 0), Vec3f(1, 0, 0), Vec3f(0, 1, 0), Vec3f(0, 0, 1)},
                                               {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}});
-  test::add_shape(d, tetrahedron, turn * Transform::translate({0, 0, 1}) * Transform::scale(Vec3d(1e-6)), {0})
+  test::add_shape(d, tetrahedron, tilt * Transform::translate({0, 0, 1}) * Transform::scale(Vec3d(1e-6)), {0})
       .radiance = RgbD(1);
   EXPECT_TRUE(found(d).empty());
 }
@@ -163,7 +163,7 @@ TEST(grazing_lights, are_none_for_being_near_to_themselves) {
 // The note names the nearest surface, in the description's unit of length, for any unit of the scene.
 TEST(grazing_lights, are_told_where_they_are_known_worst) {
   for (const double unit : {1.0, 1e9, 1e-9}) {
-    const Transform turned = Transform::scale(Vec3d(unit)) * turn;
+    const Transform turned = Transform::scale(Vec3d(unit)) * tilt;
     const Transform wall = Transform::translate(foot + Vec3d{3e-6, 0, 0}) * Transform::rotate({0, 1, 0}, 90);
     for (const bool wall_first : {false, true}) {
       SceneDescription d = stage(turned, DiffuseDescription{});
@@ -181,19 +181,19 @@ TEST(grazing_lights, are_told_where_they_are_known_worst) {
 
 TEST(grazing_lights, are_none_that_are_larger_than_what_is_lost) {
   for (const double size : {1e-6, 1e-2}) {
-    SceneDescription d = test_scene_on(RectangleDescription{}, as_floor, turn);
+    SceneDescription d = test_scene_on(RectangleDescription{}, as_floor, tilt);
     test::add_shape(d, SphereDescription{},
-                    turn * Transform::translate(foot + Vec3d{0, 0, 1e-5 + size}) * Transform::scale(Vec3d(size)), {0})
+                    tilt * Transform::translate(foot + Vec3d{0, 0, 1e-5 + size}) * Transform::scale(Vec3d(size)), {0})
         .radiance = RgbD(1);
     EXPECT_EQ(found(d).size(), size < 1e-5 ? 1u : 0u) << size;
   }
 }
 
 /// Towards the floor at this sine of the angle.
-Vec3d at_sine(double sine) { return turn.vector({std::sqrt(1 - sine * sine), 0, -sine}); }
+Vec3d at_sine(double sine) { return tilt.vector({std::sqrt(1 - sine * sine), 0, -sine}); }
 
 TEST(grazing_lights, are_beams_along_faces) {
-  for (auto& [name, floor] : floors(turn)) {
+  for (auto& [name, floor] : floors(tilt)) {
     if (name == "sphere" || name == "cylinder" || name == "cube") continue;
     for (const double sine : {1e-5, 0.01}) {
       SceneDescription beam = floor, far = floor;
@@ -215,9 +215,9 @@ TEST(grazing_lights, are_beams_along_faces) {
 // The sides are a third of a cube: beside its top they are dark for any rounding.
 TEST(grazing_lights, are_beams_by_their_least_angle) {
   for (const double first : {-1e-4, 1e-4}) {  // degrees
-    SceneDescription d = stage(turn, DiffuseDescription{});
+    SceneDescription d = stage(tilt, DiffuseDescription{});
     for (const double degrees : {first, -first})
-      test::add_shape(d, RectangleDescription{}, turn * Transform::rotate({0, 1, 0}, degrees) * as_floor, {0});
+      test::add_shape(d, RectangleDescription{}, tilt * Transform::rotate({0, 1, 0}, degrees) * as_floor, {0});
     d.emitters.push_back({{}, "", DirectionalLightDescription{at_sine(5e-6), RgbD(1)}});
     ASSERT_EQ(found(d).size(), 1u);
     EXPECT_NEAR(found(d)[0].height, 5e-6 - 1e-4 * std::numbers::pi / 180, 2e-7) << first;
@@ -225,16 +225,16 @@ TEST(grazing_lights, are_beams_by_their_least_angle) {
 }
 
 TEST(grazing_lights, are_not_beams_along_what_is_dark_beside_the_rest) {
-  SceneDescription cube = test_scene_on(CubeDescription{}, as_floor, turn);
+  SceneDescription cube = test_scene_on(CubeDescription{}, as_floor, tilt);
   cube.emitters.push_back({{}, "", DirectionalLightDescription{at_sine(0.5), RgbD(1)}});
   EXPECT_TRUE(found(cube).empty());
   for (const double small : {4.0, 12.0}) {  // beside 8 x 8
-    SceneDescription d = test_scene_on(RectangleDescription{}, as_floor, turn);
-    test::add_shape(d, RectangleDescription{}, turn * Transform::rotate({0, 1, 0}, 60) * Transform::scale(Vec3d(small)),
+    SceneDescription d = test_scene_on(RectangleDescription{}, as_floor, tilt);
+    test::add_shape(d, RectangleDescription{}, tilt * Transform::rotate({0, 1, 0}, 60) * Transform::scale(Vec3d(small)),
                     {0});
     const double angle = 60 * std::numbers::pi / 180, sine = 1e-5;
     const Vec3d along{std::cos(angle), 0, -std::sin(angle)}, normal{std::sin(angle), 0, std::cos(angle)};
-    d.emitters.push_back({{}, "", DirectionalLightDescription{turn.vector(along - normal * sine), RgbD(1)}});
+    d.emitters.push_back({{}, "", DirectionalLightDescription{tilt.vector(along - normal * sine), RgbD(1)}});
     EXPECT_EQ(found(d).size(), small > half ? 1u : 0u) << small;
   }
 }
@@ -245,9 +245,9 @@ std::vector<NearLight> above_spots(const SceneDescription& d, double within) {
 
 TEST(lights_above_spots, are_lights_low_above_every_shape) {
   for (const double unit : {1.0, 1e9, 1e-9})
-    for (auto& [name, floor] : floors(Transform::scale(Vec3d(unit)) * turn)) {
+    for (auto& [name, floor] : floors(Transform::scale(Vec3d(unit)) * tilt)) {
       if (unit != 1 && (name == "huge rectangle" || name == "plane")) continue;  // whose own scale is another
-      add_point(floor, foot + Vec3d{0, 0, 0.01}, Transform::scale(Vec3d(unit)) * turn);
+      add_point(floor, foot + Vec3d{0, 0, 0.01}, Transform::scale(Vec3d(unit)) * tilt);
       const std::vector<NearLight> area_lights = above_spots(floor, 0.02 * unit);
       ASSERT_EQ(area_lights.size(), 1u) << name;
       EXPECT_NEAR(area_lights[0].height, 0.01 * unit, 1e-5 * unit) << name;
@@ -290,17 +290,17 @@ TEST(lights_above_spots, are_on_either_side_of_a_wall_across_any_axis) {
 }
 
 TEST(lights_above_spots, are_none_for_being_near_to_themselves) {
-  SceneDescription d = test_scene_on(RectangleDescription{}, as_floor, turn);
+  SceneDescription d = test_scene_on(RectangleDescription{}, as_floor, tilt);
   test::add_shape(d, SphereDescription{},
-                  turn * Transform::translate(foot + Vec3d{0, 0, 1}) * Transform::scale(Vec3d(0.01)), {0})
+                  tilt * Transform::translate(foot + Vec3d{0, 0, 1}) * Transform::scale(Vec3d(0.01)), {0})
       .radiance = RgbD(1);
   EXPECT_TRUE(above_spots(d, 0.05).empty());
 }
 
 TEST(lights_above_spots, are_no_higher_than_they_are_large) {
-  SceneDescription d = test_scene_on(RectangleDescription{}, as_floor, turn);
+  SceneDescription d = test_scene_on(RectangleDescription{}, as_floor, tilt);
   test::add_shape(d, SphereDescription{},
-                  turn * Transform::translate(foot + Vec3d{0, 0, 0.01}) * Transform::scale(Vec3d(0.01)), {0})
+                  tilt * Transform::translate(foot + Vec3d{0, 0, 0.01}) * Transform::scale(Vec3d(0.01)), {0})
       .radiance = RgbD(1);
   ASSERT_EQ(above_spots(d, 0.05).size(), 1u);
   EXPECT_NEAR(above_spots(d, 0.05)[0].height, 0.01 * std::sqrt(3.0), 1e-5);  // half the diagonal of the box around it
