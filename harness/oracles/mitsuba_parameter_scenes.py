@@ -146,7 +146,13 @@ def sensor_cases():
                           ("tent radius 2", element("rfilter", "tent", number("radius", 2))),
                           ("gaussian", element("rfilter", "gaussian")),
                           ("gaussian stddev 0.25", element("rfilter", "gaussian", number("stddev", 0.25))),
-                          ("gaussian stddev 1", element("rfilter", "gaussian", number("stddev", 1)))):
+                          ("gaussian stddev 1", element("rfilter", "gaussian", number("stddev", 1))),
+                          ("mitchell", element("rfilter", "mitchell")),
+                          ("mitchell B, C", element("rfilter", "mitchell", number("B", 0.1), number("C", 0.8))),
+                          ("catmullrom", element("rfilter", "catmullrom")),
+                          ("lanczos", element("rfilter", "lanczos")),
+                          ("lanczos lobes 2", element("rfilter", "lanczos", integer("lobes", 2))),
+                          ("lanczos lobes 5", element("rfilter", "lanczos", integer("lobes", 5)))):
         yield case(f"rfilter {name}", film=film(rfilter=rfilter))
     for kind in ("independent", "stratified", "multijitter", "orthogonal", "ldsampler"):
         yield Case(f"sampler {kind}", scene(body, sensor=camera(sampler=element("sampler", kind, integer("sample_count", 16)))),

@@ -43,6 +43,7 @@ struct PluginColours {
   void integer(const char*, std::int64_t, std::int64_t, std::int64_t, const char*) {}
   void optional_integer(const char*, const std::optional<int>&, std::int64_t, std::int64_t, const char*) {}
   void number(const char*, double, const scene_xml::Range&, const char*) {}
+  void optional_number(const char*, const std::optional<double>&, const scene_xml::Range&, const char*) {}
   void number_after(const char*, double, double, const char*, const char*) {}
   void positive(const char*, double, const char*, double = 0, const char* = "") {}
   void ior(const char*, double, const char*) {}

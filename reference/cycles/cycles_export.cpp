@@ -82,8 +82,10 @@ std::string filter_py(CyclesScript& script) {
       return "\"GAUSSIAN\", " + format_number(4 * filter.stddev);
     case ReconstructionFilter::Kind::tent:
       script.refuse(scene.sensor.loc, "a tent filter: Cycles has none; a box or a Gaussian can be written");
+    default:
+      script.refuse(scene.sensor.loc,
+                    "a filter with negative lobes: Cycles has none; a box or a Gaussian can be written");
   }
-  return "";
 }
 
 std::string camera_py(const LoweredCamera& camera) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <numbers>
 
 #include "reference/engines/engine_run.h"
 #include "scenes/base/process.h"
@@ -80,12 +81,40 @@ Image variance_of_blocks(const Image& image, int grid, double gain) {
 
 namespace {
 
+/// Mitchell and Netravali 1988, equation 8, for x >= 0: by powers of 1 - x up to 1, and of 2 - x beyond.
+double cubic_weight(double x, double b, double c) {
+  if (x >= 2) return 0;
+  if (x >= 1) return (2 - x) * (2 - x) * ((b + 6 * c) * (2 - x) - 6 * c) / 6;
+  const double y = 1 - x;
+  return (b + (3 * b + 6 * c) * y + (18 - 15 * b - 12 * c) * y * y - (12 - 9 * b - 6 * c) * y * y * y) / 6;
+}
+
+double windowed_sinc(double x, double radius, double tau) {
+  const auto sinc = [](double of) { return of == 0 ? 1 : std::sin(std::numbers::pi * of) / (std::numbers::pi * of); };
+  return x < radius ? sinc(x) * sinc(x / tau) : 0;
+}
+
 /// A filter's value at a distance in pixels, up to a factor.
 double weight_at(const ReconstructionFilter& filter, double distance) {
-  if (filter.kind == ReconstructionFilter::Kind::tent) return std::max(0.0, filter.radius - std::abs(distance));
-  const double s = filter.stddev;
-  if (std::abs(distance) >= 4 * s) return 0;
-  return std::exp(-distance * distance / (2 * s * s)) - std::exp(-8.0);
+  using Kind = ReconstructionFilter::Kind;
+  const double x = std::abs(distance), s = filter.stddev;
+  switch (filter.kind) {
+    case Kind::box:
+      return x < 0.5 ? 1 : 0;
+    case Kind::tent:
+      return std::max(0.0, filter.radius - x);
+    case Kind::gaussian:
+      return x < 4 * s ? std::exp(-x * x / (2 * s * s)) - std::exp(-8.0) : 0;
+    case Kind::mitchell:
+      return cubic_weight(x * 2 / filter.mitchell_radius.value_or(2), filter.b, filter.c);
+    case Kind::catmullrom:
+      return cubic_weight(x, 0, 0.5);
+    case Kind::lanczos:
+      return windowed_sinc(x, filter.lobes, filter.lobes);
+    case Kind::sinc:
+      return windowed_sinc(x, filter.sinc_radius, filter.tau);
+  }
+  return 0;
 }
 
 /// Weights of the sub-pixels along an axis that the filter of pixel `at` of `size` reaches, from `margin` pixels before

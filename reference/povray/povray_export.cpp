@@ -110,6 +110,14 @@ int margin_of(const ReconstructionFilter& filter) {
       return static_cast<int>(std::ceil(filter.radius - 0.5));
     case ReconstructionFilter::Kind::gaussian:
       return static_cast<int>(std::ceil(4 * filter.stddev - 0.5));
+    case ReconstructionFilter::Kind::mitchell:
+      return static_cast<int>(std::ceil(filter.mitchell_radius.value_or(2) - 0.5));
+    case ReconstructionFilter::Kind::catmullrom:
+      return 2;
+    case ReconstructionFilter::Kind::lanczos:
+      return filter.lobes;
+    case ReconstructionFilter::Kind::sinc:
+      return static_cast<int>(std::ceil(filter.sinc_radius - 0.5));
   }
   return 0;
 }

@@ -26,9 +26,11 @@ void check_memory(const SceneDescription& description, const Tile& window, bool 
   // A checkpoint is a copy of the film. At the end, mean and variance stand beside the film, and once more as the rows
   // of a file.
   constexpr std::size_t written = 2 * 6 * sizeof(float);
-  const std::size_t copies = checkpoints ? std::max(Film::bytes_a_pixel(), written) : written;
-  const std::uint64_t bytes = std::uint64_t{Film::bytes_a_pixel() + copies} *
-                              static_cast<std::uint64_t>(window.width()) * static_cast<std::uint64_t>(window.height());
+  const std::size_t parts = has_negative_lobes(description.sensor.film.filter.kind) ? 2 : 1;
+  const std::size_t of_film = parts * Film::bytes_a_pixel();
+  const std::size_t copies = checkpoints ? std::max(of_film, written) : written;
+  const std::uint64_t bytes = std::uint64_t{of_film + copies} * static_cast<std::uint64_t>(window.width()) *
+                              static_cast<std::uint64_t>(window.height());
   if (!available || bytes <= *available) return;
   const auto megabytes = [](std::uint64_t n) { return std::to_string(n >> 20) + " MB"; };
   throw InputError(description.where(description.sensor.loc),

@@ -87,7 +87,7 @@ class BidirectionalTracer : ScalarTracer {
   Rgb trace_camera_path(int x, int y, const PathSampler& draws, const std::vector<Vertex>& light_path,
                         ScalarWork& work) const {
     const Vec2<float> u_lens = draws.two(bdpt_dimension::lens);
-    std::optional<Ray> first = camera_.ray(x, y, draws, grid_, bdpt_dimension::in_pixel, u_lens);
+    std::optional<Ray> first = camera_.ray(x, y, draws, grid_, bdpt_dimension::in_pixel, u_lens, work.part);
     if (!first) return Rgb(0.0f);
     Ray& ray = *first;
     ++work.rays.camera;
@@ -338,8 +338,9 @@ void render_bdpt(const Scene& scene, const RenderPlan& plan, const RenderJob& jo
     return [&, light_path = std::vector<Vertex>()](int x, int y, const PathSampler& draws, ScalarWork& work) mutable {
       const auto pixel = static_cast<std::uint64_t>(y - film.window().y0) * static_cast<std::uint64_t>(film.width()) +
                          static_cast<std::uint64_t>(x - film.window().x0);
-      const PathSampler light_sampler =
-          sampler_of_path(job.sampler, job.seed, ptracer_stream, draws.index * pixels + pixel);
+      const PathSampler light_sampler = sampler_of_path(
+          job.sampler, job.seed, work.part == FilterPart::positive ? ptracer_stream : bdpt_negative_stream,
+          draws.index * pixels + pixel);
       return tracer.sample(x, y, draws, light_sampler, light_path, work);
     };
   });

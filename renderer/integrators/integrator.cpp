@@ -121,6 +121,10 @@ RenderPlan plan_render(const SceneFacts& facts, const IntegratorDescription& met
   const Integrator& row = *find_integrator(name);
   Planner planner(facts, job, row.small_limit());
   row.plan(method, planner);
+  if (facts.subtracted_by_filter > 0 && job.grid == 0)
+    planner.run("negative lobes",
+                "the filter's, subtracted: " + std::to_string(negative_samples(facts.subtracted_by_filter, 100)) +
+                    " more camera samples for every 100");
   RenderPlan plan = planner.plan();
   plan.method = method;
   plan.scene.hides_lights = method.limits().hide_emitters;

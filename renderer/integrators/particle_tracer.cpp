@@ -76,7 +76,7 @@ class ParticleTracer : ScalarTracer {
   Rgb environment(int x, int y, const PathSampler& draws, ScalarWork& work) const {
     if (!lights_->environment() || limits_.hide_emitters || !within(1)) return Rgb(0.0f);
     std::optional<Ray> ray =
-        camera_.ray(x, y, draws, 0, ptracer_dimension::in_pixel, draws.two(ptracer_dimension::lens));
+        camera_.ray(x, y, draws, 0, ptracer_dimension::in_pixel, draws.two(ptracer_dimension::lens), work.part);
     if (!ray) return Rgb(0.0f);
     ++work.rays.camera;
     Rgb throughput(1.0f);
@@ -234,7 +234,8 @@ void render_particle_tracer(const Scene& scene, const RenderPlan& plan, const Re
     return [&](int x, int y, const PathSampler& draws, ScalarWork& work) {
       const auto pixel = static_cast<std::uint64_t>(y - film.window().y0) * static_cast<std::uint64_t>(film.width()) +
                          static_cast<std::uint64_t>(x - film.window().x0);
-      tracer.trace(sampler_of_path(job.sampler, job.seed, ptracer_stream, draws.index * pixels + pixel), work);
+      if (work.part == FilterPart::positive)
+        tracer.trace(sampler_of_path(job.sampler, job.seed, ptracer_stream, draws.index * pixels + pixel), work);
       return tracer.environment(x, y, draws, work);
     };
   });

@@ -14,16 +14,22 @@ void trace_path_passes(const Scene& scene, const PathSettings& settings, const R
                        Film& film, RenderStats& stats) {
   const PhaseTimer timer(stats.phases["render"]);
   const Threads threads(job.threads);
-  RenderLoop loop(job, threads, film, stats, {.phase = phase});
+  const NegativeLobes lobes = negative_lobes(scene, job);
+  if (lobes.any()) film.separate(lobes);
+  RenderLoop loop(job, threads, film, stats, {.phase = phase, .subtracted = lobes.subtracted()});
   ScratchPool scratch(job.kernels().path);
+  const auto trace = [&](const CameraTask& camera) {
+    std::vector<float> radiance(3 * std::size_t{camera.paths()});
+    PathTask task{.scene = &scene.view(), .camera = camera, .settings = settings, .radiance = radiance.data()};
+    scratch.trace(task);
+    add_samples(film, camera, radiance);
+    loop.rays().add(task.counts);
+  };
   while (loop.next()) {
     loop.for_each_tile([&](const Tile& tile) {
-      const CameraTask camera = camera_task(job, tile, loop.first(), loop.samples());
-      std::vector<float> radiance(3 * std::size_t{camera.paths()});
-      PathTask task{.scene = &scene.view(), .camera = camera, .settings = settings, .radiance = radiance.data()};
-      scratch.trace(task);
-      add_samples(film, camera, radiance);
-      loop.rays().add(task.counts);
+      trace(camera_task(job, tile, loop.first(), loop.samples()));
+      if (loop.negative() > 0)
+        trace(camera_task(job, tile, loop.first_negative(), loop.negative(), FilterPart::negative));
     });
   }
 }

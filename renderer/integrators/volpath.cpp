@@ -37,7 +37,7 @@ class VolumetricTracer : ScalarTracer {
 
   Rgb sample(int x, int y, const PathSampler& draws, ScalarWork& work) const {
     const std::optional<Ray> first =
-        camera_.ray(x, y, draws, grid_, volpath_dimension::in_pixel, draws.two(volpath_dimension::lens));
+        camera_.ray(x, y, draws, grid_, volpath_dimension::in_pixel, draws.two(volpath_dimension::lens), work.part);
     if (!first) return Rgb(0.0f);
     Path h;
     h.ray = *first;
@@ -209,7 +209,7 @@ void plan_volpath(const IntegratorDescription& description, Planner& planner) {
 void render_volpath(const Scene& scene, const RenderPlan& plan, const RenderJob& job, Film& film, RenderStats& stats) {
   const VolumetricTracer tracer(scene, std::get<VolPathDescription>(plan.method.method), job.grid);
   render_samples(
-      job, volpath_stream, "volumetric path tracing", film, stats,
+      scene, job, volpath_stream, "volumetric path tracing", film, stats,
       [&](int x, int y, const PathSampler& draws, ScalarWork& work) { return tracer.sample(x, y, draws, work); });
 }
 

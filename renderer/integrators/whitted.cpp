@@ -29,7 +29,7 @@ class WhittedTracer : ScalarTracer {
 
   Rgb sample(int x, int y, const PathSampler& draws, ScalarWork& work) const {
     const std::optional<Ray> first =
-        camera_.ray(x, y, draws, grid_, whitted_dimension::in_pixel, draws.two(whitted_dimension::lens));
+        camera_.ray(x, y, draws, grid_, whitted_dimension::in_pixel, draws.two(whitted_dimension::lens), work.part);
     if (!first) return Rgb(0.0f);
     ++work.rays.camera;
     std::uint32_t dimension = whitted_dimension::first_hit;
@@ -111,7 +111,7 @@ void plan_whitted(const IntegratorDescription& description, Planner& planner) {
 void render_whitted(const Scene& scene, const RenderPlan& plan, const RenderJob& job, Film& film, RenderStats& stats) {
   const WhittedTracer tracer(scene, std::get<WhittedDescription>(plan.method.method), job.grid);
   render_samples(
-      job, whitted_stream, "ray tracing", film, stats,
+      scene, job, whitted_stream, "ray tracing", film, stats,
       [&](int x, int y, const PathSampler& draws, ScalarWork& work) { return tracer.sample(x, y, draws, work); });
 }
 

@@ -36,7 +36,10 @@ CameraRay<F> camera_rays(const SceneView& scene, const CameraTask& task, std::ui
   } else {
     in_pixel = draw2<F>(task.sampler, ray.key, ray.index, U(0u));
     const FilterView& filter = scene.camera.filter;
-    if (!filter.is_box)
+    if (filter.has_lobes) {
+      const Vec2<F> offsets = lobe_offsets<F>(scene.camera, x, y, task.part, in_pixel);
+      in_pixel = {0.5f + offsets.x, 0.5f + offsets.y};
+    } else if (!filter.is_box)
       in_pixel = {0.5f + filter_offset(filter, x, scene.camera.width, in_pixel.x),
                   0.5f + filter_offset(filter, y, scene.camera.height, in_pixel.y)};
   }

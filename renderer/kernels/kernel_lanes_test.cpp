@@ -234,7 +234,8 @@ TEST(lanes, rays_leave_surfaces_alike) {
   });
 }
 
-TEST(lanes, camera_rays_agree) {
+/// Camera rays of both parts of the filter.
+void expect_camera_rays_agree(const ReconstructionFilter& filter, FilterPart part) {
   SceneView scene;
   CameraView& camera = scene.camera;
   camera.origin = {0.1f, 2, -3};
@@ -251,7 +252,7 @@ TEST(lanes, camera_rays_agree) {
   camera.lens_radius = 0.1f;
   camera.focus_distance = 2;
   camera.max_angle = 1;
-  camera.filter = compile_filter(ReconstructionFilter{ReconstructionFilter::Kind::gaussian, 0.5, 1}, false);
+  camera.filter = compile_filter(filter, false);
   struct Case {
     CameraKind kind;
     int grid;
@@ -269,6 +270,7 @@ TEST(lanes, camera_rays_agree) {
     task.samples = 9;
     task.seed = 77;
     task.grid = grid;
+    task.part = part;
     for (std::uint32_t first = 0; first + width <= task.paths(); first += static_cast<std::uint32_t>(width)) {
       const CameraRay<Lanes> packed = camera_rays<Lanes>(scene, task, first);
       for (std::uint32_t lane = 0; lane < width; ++lane) {
@@ -282,6 +284,13 @@ TEST(lanes, camera_rays_agree) {
       }
     }
   }
+}
+
+TEST(lanes, camera_rays_agree) {
+  using Kind = ReconstructionFilter::Kind;
+  expect_camera_rays_agree({Kind::gaussian, 0.5, 1}, FilterPart::positive);
+  for (const FilterPart part : {FilterPart::positive, FilterPart::negative})
+    expect_camera_rays_agree({.kind = Kind::lanczos}, part);
 }
 
 /// Parallelograms, triangles and spheres, eight of each, their sizes and distances to the origin 10^-2 to 10^2.

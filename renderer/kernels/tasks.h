@@ -21,6 +21,7 @@ struct CameraTask {
   int grid = 0;                                ///< k > 0: samples on the centres of a k x k grid in the pixel
   const std::uint32_t* some_pixels = nullptr;  ///< of the tile, row by row; null: all of them
   std::uint32_t some_count = 0;
+  FilterPart part = FilterPart::positive;  ///< of a filter with negative lobes
 
   std::uint32_t tile_width() const { return static_cast<std::uint32_t>(x1 - x0); }
   std::uint32_t pixels() const {

@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <cstring>
 
+#include "renderer/sensor/negative_lobes.h"
 #include "scenes/base/input_error.h"
 #include "scenes/base/percent_text.h"
 
@@ -65,11 +66,14 @@ bool RenderLoop::next() {
     units_done_ = 0;
   }
   samples_ = 0;
+  first_negative_ += std::exchange(negative_, 0);
   if (schedule_.samples_done() > 0 && !resumed_pass_ && job_.interrupted()) return ended(true);
   if (!resumed_pass_ && due()) write();
   if (!resumed_pass_ && reached_target()) return ended(false);
   samples_ = schedule_.next();
   if (samples_ == 0) return ended(false);
+  const std::int64_t best = negative_samples(plan_.subtracted, schedule_.samples_done()) - first_negative_;
+  negative_ = std::max<std::int64_t>(best, plan_.subtracted > 0 && plan_.combines_passes ? 1 : 0);
   for (KeptBetween& kept : between_) std::memcpy(kept.at_start.data(), kept.data, kept.at_start.size());
   if (job_.progress) job_.progress(fraction(0), plan_.phase);
   return true;
@@ -144,6 +148,8 @@ bool RenderLoop::ended(bool interrupted) {
     say_if_dim();
   }
   stats_.counts["samples_per_pixel"] = static_cast<double>(schedule_.samples_done());
+  if (plan_.subtracted > 0)
+    stats_.counts["negative_samples_per_pixel"] = static_cast<double>(first_negative_ + negative_);
   return false;
 }
 
@@ -239,6 +245,7 @@ void RenderLoop::save(StateWriter& out) const {
   out.value(schedule_.seconds_spent());
   out.value(std::uint64_t{open ? done_.size() : 0});
   out.vector(open ? done_ : std::vector<std::uint8_t>{});
+  if (plan_.subtracted > 0) out.value(first_negative_ + (open ? 0 : negative_));
   out.value(rays_.counts());
   for (const KeptBetween& kept : between_) {
     const char* data = open ? kept.at_start.data() : kept.data;
@@ -269,6 +276,7 @@ void RenderLoop::restore(StateReader& in) {
   units_done_ = static_cast<std::size_t>(std::count(done_.begin(), done_.end(), 1));
   resumed_pass_ = samples > 0;
   schedule_.resume(first, samples, seconds);
+  if (plan_.subtracted > 0) first_negative_ = in.value<std::int64_t>();
   rays_.set(in.value<RayCounts>());
   for (KeptBetween& kept : between_) in.bytes(kept.data, kept.at_start.size());
   for (const Kept& kept : kept_) kept.restore(in);

@@ -43,6 +43,9 @@ struct PassPlan {
   /// ends where the rest of its error is small beside this.
   std::function<double()> lasting_bias = {};
   std::function<std::string()> lasting_bias_of = {};
+  /// Factor of the filter's negative lobes, which get samples of their own (negative_lobes.h); 0: none.
+  double subtracted = 0;
+  bool combines_passes = false;  ///< A pass is one estimate, and needs one of those samples at least.
 };
 
 class RenderLoop {
@@ -85,6 +88,9 @@ class RenderLoop {
   bool next();
   std::int64_t first() const { return schedule_.samples_done() - samples_; }  ///< first sample of the pass
   std::int64_t samples() const { return samples_; }                           ///< samples per pixel of the pass
+  /// The pass's samples of the filter's negative lobes, which have a sequence of their own.
+  std::int64_t first_negative() const { return first_negative_; }
+  std::int64_t negative() const { return negative_; }
 
   /// Calls body(tile) for the film's tiles, on any thread, in any order: at most once per pass. The body may change
   /// only the film's pixels in its tile, and rays().
@@ -145,6 +151,7 @@ class RenderLoop {
   std::vector<Kept> kept_;
   std::vector<KeptBetween> between_;
   std::int64_t samples_ = 0;
+  std::int64_t first_negative_ = 0, negative_ = 0;
   std::optional<double> error_;  ///< where it is the budget: after the last whole pass
   bool begun_ = false;
   bool resumed_pass_ = false;       ///< done_ was restored for this pass

@@ -94,6 +94,24 @@ TEST_F(Resume, gives_the_bits_and_the_counts_of_a_render_never_stopped) {
   }
 }
 
+TEST_F(Resume, of_samples_of_negative_lobes_gives_the_bits_and_the_counts_of_a_render_never_stopped) {
+  SceneDescription scene = test::room(48, true);
+  scene.sensor.film.filter = {.kind = ReconstructionFilter::Kind::lanczos};
+  for (const Integrator& row : integrators()) {
+    RenderJob job = test::job_with(24, 30'000);
+    if (!row.heeds.photons) job.budget.photons.reset();
+    job.threads = 2;
+    const test::Rendered whole = test::render(scene, row.name, job);
+    const Outcome last = in_parts(scene, row.name, job, 2);
+    EXPECT_EQ(last.image.mean.rgb, whole.image.mean.rgb) << row.name;
+    EXPECT_EQ(last.image.variance->rgb, whole.image.variance->rgb) << row.name;
+    for (const auto& [name, count] : whole.stats.counts)
+      EXPECT_EQ(last.stats.counts.at(name), count) << row.name << " " << name;
+    // m is 0.42, and 24 times m / (1 + m) is 7.1.
+    EXPECT_GE(last.stats.counts.at("negative_samples_per_pixel"), 8) << row.name;
+  }
+}
+
 TEST_F(Resume, of_a_view_gives_the_bits_of_a_render_never_stopped) {
   const SceneDescription scene = test::room(48, true);
   for (const Aov view : {Aov::caustics, Aov::photons, Aov::radius, Aov::samples}) {

@@ -14,16 +14,26 @@ void for_each_pixel(const CameraTask& task, const std::vector<float>& radiance, 
 
 }  // namespace
 
-CameraTask camera_task(const RenderJob& job, const Tile& tile, std::int64_t first, std::int64_t samples) {
+NegativeLobes negative_lobes(const SceneParts& scene, const RenderJob& job) {
+  if (job.grid > 0) return {};  // in place of the filter
+  return {scene.filter, scene.sample_border, scene.width, scene.height};
+}
+
+CameraTask camera_task(const RenderJob& job, const Tile& tile, std::int64_t first, std::int64_t samples,
+                       FilterPart part) {
+  const Stream stream = part == FilterPart::positive ? camera_stream : negative_camera_stream;
   return {tile.x0,
           tile.y0,
           tile.x1,
           tile.y1,
           static_cast<std::uint32_t>(first),
           static_cast<std::uint32_t>(samples),
-          stream_seed(has_fault(Fault::same_samples) ? 1 : job.seed, camera_stream),
+          stream_seed(has_fault(Fault::same_samples) ? 1 : job.seed, stream),
           job.sampler,
-          job.grid};
+          job.grid,
+          nullptr,
+          0,
+          part};
 }
 
 void add_samples(Film& film, const CameraTask& task, const std::vector<float>& radiance) {
@@ -34,7 +44,10 @@ void add_samples(Film& film, const CameraTask& task, const std::vector<float>& r
       sum += value;
       sum_of_squares += value * value;
     }
-    film.add(x, y, sum, sum_of_squares, static_cast<int>(task.samples));
+    if (task.part == FilterPart::positive)
+      film.add(x, y, sum, sum_of_squares, static_cast<int>(task.samples));
+    else
+      film.add_negative(x, y, sum, sum_of_squares, static_cast<int>(task.samples));
   });
 }
 

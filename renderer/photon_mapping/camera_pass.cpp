@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 
 #include "renderer/irradiance/cache_picture.h"
 #include "renderer/passes/tile_film.h"
@@ -51,7 +52,10 @@ PathSettings settings_of_view(PathSettings settings, const AovRow& view, bool go
 struct CameraPass::TilePaths {
   Tile tile;
   std::int64_t pass;
-  double samples;                         ///< samples that the pass takes of every pixel
+  FilterPart part;
+  std::int64_t first;                     ///< the pass's first sample
+  std::int64_t samples;                   ///< samples that the pass takes of every pixel
+  double weight;                          ///< of the pass
   std::vector<float> radiance{};          ///< 3 values a path
   std::vector<std::uint32_t> pixel_of{};  ///< pixel of each path; pixels of the tile row by row
   GatherQueue queue{0};
@@ -62,10 +66,13 @@ struct CameraPass::TilePaths {
   std::vector<std::uint32_t> count;  ///< paths of each pixel
   std::vector<Rgb> sum;              ///< sum of each pixel
 
-  TilePaths(const Tile& of, std::int64_t number, double samples_a_pixel)
+  TilePaths(const Tile& of, std::int64_t number, const RenderLoop& loop, FilterPart of_filter)
       : tile(of),
         pass(number),
-        samples(samples_a_pixel),
+        part(of_filter),
+        first(part == FilterPart::positive ? loop.first() : loop.first_negative()),
+        samples(part == FilterPart::positive ? loop.samples() : loop.negative()),
+        weight(static_cast<double>(loop.samples())),
         count(static_cast<std::size_t>(of.width()) * static_cast<std::size_t>(of.height())),
         sum(count.size(), Rgb(0.0f)) {}
   void make_room_on_rough(RoughGathers& gathers) {
@@ -78,6 +85,7 @@ struct CameraPass::TilePaths {
     grow(rough, gathers.points);
     grow(rough_narrow, gathers.narrow);
   }
+  RgbD mean(std::size_t pixel) const { return RgbD(sum[pixel]) / static_cast<double>(count[pixel]); }
   int x(std::size_t pixel) const { return tile.x0 + static_cast<int>(pixel) % tile.width(); }
   int y(std::size_t pixel) const { return tile.y0 + static_cast<int>(pixel) / tile.width(); }
 };
@@ -99,6 +107,7 @@ CameraPass::CameraPass(const Scene& scene, const PhotonSettings& settings, const
       effort_(effort),
       settings_(settings),
       path_settings_(settings_of_view(camera_path_settings(settings, plan), view_, goes_on_)),
+      lobes_(negative_lobes(scene, job)),
       footprint_(std::max(median_pixel_footprint(scene), 1e-30f)),
       scratch_(job.kernels().path) {}
 
@@ -183,18 +192,19 @@ void CameraPass::trace_extra(TilePaths& paths, RenderLoop& loop) {
     for (std::size_t pixel = 0; pixel < paths.count.size(); ++pixel)
       if (effort_.extra(paths.x(pixel), paths.y(pixel)) == extra) alike.push_back(static_cast<std::uint32_t>(pixel));
     if (alike.empty()) continue;
-    CameraTask camera = camera_task(job_, paths.tile, loop.first() * AdaptiveSampleMap::most, loop.samples() * extra);
-    camera.seed = stream_seed(job_.seed, extra_sample_stream);
+    CameraTask camera =
+        camera_task(job_, paths.tile, paths.first * AdaptiveSampleMap::most, paths.samples * extra, paths.part);
+    camera.seed =
+        stream_seed(job_.seed, paths.part == FilterPart::positive ? extra_sample_stream : negative_extra_sample_stream);
     camera.some_pixels = alike.data();
     camera.some_count = static_cast<std::uint32_t>(alike.size());
     trace(camera, paths, loop);
   }
 }
 
-void CameraPass::render(const Tile& tile, std::int64_t pass, RenderLoop& loop, Film& image, Film* numbers) {
-  const Timer timer;
-  TilePaths paths(tile, pass, static_cast<double>(loop.samples()));
-  trace(camera_task(job_, tile, loop.first(), loop.samples()), paths, loop);
+/// Sums the paths of a part of the filter.
+void CameraPass::follow(TilePaths& paths, RenderLoop& loop) {
+  trace(camera_task(job_, paths.tile, paths.first, paths.samples, paths.part), paths, loop);
   trace_extra(paths, loop);
   const bool adds_radiance = view_.direct_light || goes_on_;
   for (std::size_t path = 0; adds_radiance && path < paths.pixel_of.size(); ++path) {
@@ -202,11 +212,19 @@ void CameraPass::render(const Tile& tile, std::int64_t pass, RenderLoop& loop, F
     paths.sum[paths.pixel_of[path]] += Rgb(sample[0], sample[1], sample[2]);
   }
   if (!maps_.empty() || cache_ != nullptr) add_photons(paths);
+}
+
+void CameraPass::render(const Tile& tile, std::int64_t pass, RenderLoop& loop, Film& image, Film* numbers) {
+  const Timer timer;
+  TilePaths paths(tile, pass, loop, FilterPart::positive);
+  follow(paths, loop);
+  std::optional<TilePaths> negative;
+  if (loop.negative() > 0) follow(negative.emplace(tile, pass, loop, FilterPart::negative), loop);
   for (std::size_t pixel = 0; pixel < paths.sum.size(); ++pixel) {
-    const auto count = static_cast<double>(paths.count[pixel]);
-    const RgbD mean = RgbD(paths.sum[pixel]) / count;
-    image.add(paths.x(pixel), paths.y(pixel), mean, paths.samples);
-    effort_.add(paths.x(pixel), paths.y(pixel), mean, count);
+    const int x = paths.x(pixel), y = paths.y(pixel);
+    const RgbD mean = negative ? lobes_.combined(x, y, paths.mean(pixel), negative->mean(pixel)) : paths.mean(pixel);
+    image.add(x, y, mean, paths.weight);
+    effort_.add(x, y, mean, static_cast<double>(paths.count[pixel]));
   }
   if (numbers != nullptr) add_numbers(paths, timer.seconds(), *numbers);
 }
@@ -217,11 +235,11 @@ void CameraPass::add_numbers(TilePaths& paths, double seconds, Film& numbers) co
   if (view_.view == Aov::cache_records && cache_ != nullptr)
     dots = cache_picture(*cache_, scene_.view().camera, {paths.queue, paths.pixel_of, paths.count, paths.sum});
   for (std::size_t pixel = 0; pixel < paths.count.size(); ++pixel) {
-    RgbD number(1e6 * seconds / (static_cast<double>(paths.count.size()) * paths.samples));
+    RgbD number(1e6 * seconds / (static_cast<double>(paths.count.size()) * paths.weight));
     if (view_.view == Aov::radius) number = RgbD(radii[pixel]) / static_cast<double>(paths.count[pixel]);
     if (view_.view == Aov::cache_records) number = RgbD(dots[pixel]);
-    if (view_.view == Aov::samples) number = RgbD(static_cast<double>(paths.count[pixel]) / paths.samples);
-    numbers.add(paths.x(pixel), paths.y(pixel), number, paths.samples);
+    if (view_.view == Aov::samples) number = RgbD(static_cast<double>(paths.count[pixel]) / paths.weight);
+    numbers.add(paths.x(pixel), paths.y(pixel), number, paths.weight);
   }
 }
 
@@ -241,7 +259,9 @@ std::vector<Rgb> CameraPass::radii_in_pixels(TilePaths& paths) const {
 }
 
 void CameraPass::add_photons(TilePaths& paths) {
-  const std::uint32_t key = stream_seed(job_.seed, shared_gather_stream, static_cast<std::uint64_t>(paths.pass));
+  const std::uint32_t key =
+      stream_seed(job_.seed, paths.part == FilterPart::positive ? shared_gather_stream : negative_shared_gather_stream,
+                  static_cast<std::uint64_t>(paths.pass));
   float most_apart = std::numeric_limits<float>::max();
   for (const MapState* map : maps_) most_apart = std::min(most_apart, map->radii.radius);
   const auto add_shared = [&](MapState& map, const std::vector<PixelPoint>& points) {
@@ -338,8 +358,13 @@ void CameraPass::look_twice(const MapState& map, const std::vector<PixelPoint>& 
 
 /// Adds the light that one path of the pixel loses by the map's radius.
 void CameraPass::add_lost(const MapState& map, std::uint32_t pixel, const Rgb& lost, const TilePaths& paths) {
-  bias_.add(paths.x(pixel), paths.y(pixel), static_cast<int>(map.kind), paths.pass,
-            RgbD(lost) / static_cast<double>(paths.count[pixel]), paths.samples);
+  RgbD of_pixel = RgbD(lost) / static_cast<double>(paths.count[pixel]);
+  const int x = paths.x(pixel), y = paths.y(pixel);
+  if (lobes_.any()) {
+    const double m = lobes_.subtracted(x, y);
+    of_pixel = of_pixel * (paths.part == FilterPart::positive ? 1 + m : -m);
+  }
+  bias_.add(x, y, static_cast<int>(map.kind), paths.pass, of_pixel, paths.weight);
 }
 
 }  // namespace photonproof::inline renderer_photon_mapping

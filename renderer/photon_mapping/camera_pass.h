@@ -33,6 +33,7 @@ class CameraPass {
  private:
   struct TilePaths;
   void trace(const CameraTask& camera, TilePaths& paths, RenderLoop& loop);
+  void follow(TilePaths& paths, RenderLoop& loop);
   void trace_extra(TilePaths& paths, RenderLoop& loop);
   void leave_points(PathTask& task, TilePaths& paths) const;
   void gather_on_rough(RoughGathers& rough, TilePaths& paths) const;
@@ -68,6 +69,7 @@ class CameraPass {
   AdaptiveSampleMap& effort_;
   const PhotonSettings& settings_;
   const PathSettings path_settings_;
+  const NegativeLobes lobes_;
   const float footprint_;  ///< footprint of a pixel, at the median of the visible points
   ScratchPool scratch_;
 };

@@ -22,6 +22,7 @@
 #include "renderer/light_sampling/scene_lights.h"
 #include "renderer/passes/aov.h"
 #include "renderer/passes/render_loop.h"
+#include "renderer/passes/tile_film.h"
 #include "renderer/photon_mapping/adaptive_sample_map.h"
 #include "renderer/photon_mapping/cache_prepass.h"
 #include "renderer/photon_mapping/camera_pass.h"
@@ -366,6 +367,8 @@ void render_photon_mapper(const Scene& scene, const RenderPlan& plan, const Rend
   choose_way(maps, tools, settings);
   PassPlan passes = plan_passes(settings, maps);
   if (no_areas) return render_photon_dots(source, maps, passes, film, stats);
+  passes.subtracted = negative_lobes(scene, job).subtracted();
+  passes.combines_passes = true;
   const bool caches = takes_cache(settings, maps);
   const std::vector<MapState*> wanted = maps.wanted();
   if (!wanted.empty() || caches) tools.make_areas();

@@ -6,6 +6,7 @@
 #include <variant>
 
 #include "renderer/light_sampling/scene_lights.h"
+#include "renderer/sensor/negative_lobes.h"
 
 namespace photonproof::inline renderer_planning {
 namespace {
@@ -79,6 +80,7 @@ bool can_interreflect(const SceneParts& scene, const std::vector<const Surface*>
 SceneFacts analyse(const SceneParts& scene) {
   SceneFacts facts;
   facts.primitives = scene.primitives;
+  facts.subtracted_by_filter = NegativeLobes(scene.filter, scene.sample_border, scene.width, scene.height).subtracted();
   facts.simple_primitives = scene.simple_primitives;
   facts.bsdf_kinds = static_cast<std::size_t>(std::popcount(scene.bsdf_kinds));
   facts.media = scene.media.media.size();

@@ -19,6 +19,8 @@ struct SceneFacts {
   bool any_delta_light = false;    ///< one that rays never meet
   bool any_environment = false;
 
+  double subtracted_by_filter = 0;  ///< factor of the filter's negative lobes (negative_lobes.h)
+
   std::size_t specular_surfaces = 0;     ///< Surfaces that are not Lambertian: caustics are possible.
   bool any_delta_bsdf = false;           ///< A mirror or smooth glass, or a BSDF of only those.
   bool any_delta_lobe = false;           ///< One of those, a clear coat, or a surface that light goes straight through.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "renderer/passes/tile_film.h"
 #include "renderer/scalar/scalar_camera.h"
 
 namespace photonproof::inline renderer_scalar {
@@ -19,9 +20,9 @@ class CoverageTracer {
   CoverageTracer(const Scene& scene, int grid, bool hide_emitters)
       : scene_interface_(scene), camera_(scene_interface_, 1), grid_(grid), hide_emitters_(hide_emitters) {}
 
-  bool meets_a_shape(int x, int y, const PathSampler& draws) const {
+  bool meets_a_shape(int x, int y, const PathSampler& draws, FilterPart part) const {
     const std::optional<Ray> first =
-        camera_.ray(x, y, draws, grid_, coverage_dimension::in_pixel, draws.two(coverage_dimension::lens));
+        camera_.ray(x, y, draws, grid_, coverage_dimension::in_pixel, draws.two(coverage_dimension::lens), part);
     if (!first) return false;
     Ray ray = *first;
     for (std::uint32_t hit = 0; hit < most_surfaces; ++hit) {
@@ -56,18 +57,26 @@ std::vector<float> coverage(const Scene& scene, const RenderJob& job, bool hide_
                             std::int64_t samples) {
   const CoverageTracer tracer(scene, job.grid, hide_emitters);
   const auto count = static_cast<std::uint32_t>(std::clamp<std::int64_t>(samples, 1, most_coverage_samples));
-  const std::uint32_t seed = stream_seed(job.seed, coverage_stream);
+  const NegativeLobes lobes = negative_lobes(scene, job);
   const auto width = static_cast<std::size_t>(window.width());
   std::vector<float> share(width * static_cast<std::size_t>(window.height()));
   Threads(job.threads).for_each(static_cast<std::size_t>(window.height()), [&](std::size_t row) {
     const int y = window.y0 + static_cast<int>(row);
     for (int x = window.x0; x < window.x1; ++x) {
-      const std::uint32_t key = pixel_key<float>(static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y), seed);
-      std::uint32_t met = 0;
-      for (std::uint32_t s = 0; s < count; ++s)
-        if (tracer.meets_a_shape(x, y, {job.sampler, key, s})) ++met;
-      share[row * width + static_cast<std::size_t>(x - window.x0)] =
-          static_cast<float>(met) / static_cast<float>(count);
+      const auto share_of = [&](FilterPart part, std::uint32_t rays) {
+        const std::uint32_t seed = stream_seed(job.seed, coverage_stream, static_cast<std::uint64_t>(part));
+        const std::uint32_t key = pixel_key<float>(static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y), seed);
+        std::uint32_t met = 0;
+        for (std::uint32_t s = 0; s < rays; ++s)
+          if (tracer.meets_a_shape(x, y, {job.sampler, key, s}, part)) ++met;
+        return static_cast<float>(met) / static_cast<float>(rays);
+      };
+      float& of_pixel = share[row * width + static_cast<std::size_t>(x - window.x0)];
+      of_pixel = share_of(FilterPart::positive, count);
+      if (!lobes.any()) continue;
+      const auto rays = static_cast<std::uint32_t>(negative_samples(lobes.subtracted(), count));
+      of_pixel = static_cast<float>(
+          lobes.combined(x, y, RgbD(double{of_pixel}), RgbD(double{share_of(FilterPart::negative, rays)})).x);
     }
   });
   return share;

@@ -8,7 +8,7 @@ namespace {
 
 /// Sampled from the reconstruction filter, or on the requested k x k grid.
 Vec2<float> place_in_pixel(const CameraView& camera, int x, int y, const PathSampler& draws, int grid,
-                           std::uint32_t dimension) {
+                           std::uint32_t dimension, FilterPart part) {
   if (grid > 0) {
     const auto k = static_cast<std::uint32_t>(grid);
     const std::uint32_t cell = draws.index % (k * k);
@@ -17,6 +17,11 @@ Vec2<float> place_in_pixel(const CameraView& camera, int x, int y, const PathSam
   }
   const Vec2<float> u = draws.two(dimension);
   if (camera.filter.is_box) return u;
+  if (camera.filter.has_lobes) {
+    const Vec2<float> offsets =
+        lobe_offsets<float>(camera, static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y), part, u);
+    return {0.5f + offsets.x, 0.5f + offsets.y};
+  }
   const auto offset = [&](int at, float size, float drawn) {
     return filter_offset<float>(camera.filter, static_cast<std::uint32_t>(at), size, drawn);
   };
@@ -26,8 +31,8 @@ Vec2<float> place_in_pixel(const CameraView& camera, int x, int y, const PathSam
 }  // namespace
 
 std::optional<Ray> ScalarCamera::ray(int x, int y, const PathSampler& draws, int grid, std::uint32_t in_pixel,
-                                     const Vec2<float>& u_lens) const {
-  const Vec2<float> place = place_in_pixel(camera_, x, y, draws, grid, in_pixel);
+                                     const Vec2<float>& u_lens, FilterPart part) const {
+  const Vec2<float> place = place_in_pixel(camera_, x, y, draws, grid, in_pixel, part);
   CameraRay<float> ray;
   set_ray<float>(camera_, {static_cast<float>(x) + place.x, static_cast<float>(y) + place.y}, u_lens, ray);
   if (!ray.valid) return std::nullopt;

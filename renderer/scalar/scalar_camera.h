@@ -24,7 +24,7 @@ class ScalarCamera {
 
   /// The ray of a camera sample of a pixel; empty where the camera has no image. `grid` as in RenderJob.
   std::optional<Ray> ray(int x, int y, const PathSampler& draws, int grid, std::uint32_t in_pixel,
-                         const Vec2<float>& u_lens) const;
+                         const Vec2<float>& u_lens, FilterPart part = FilterPart::positive) const;
   /// Empty where the camera cannot see p, without regard to occlusion.
   std::optional<CameraSeen> connect(const Vec3f& p, const Vec2<float>& u_lens) const;
   /// The density of CameraSeen for a camera ray, from the same point of the lens, that ended at p.

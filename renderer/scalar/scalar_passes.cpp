@@ -4,6 +4,8 @@
 #include <cstdio>
 #include <string>
 
+#include "renderer/passes/tile_film.h"
+
 namespace photonproof::inline renderer_scalar {
 namespace {
 
@@ -14,6 +16,11 @@ constexpr int tile_size = 16;
 PathSampler draws_of(std::uint32_t seed, SamplerKind kind, int x, int y, std::int64_t sample) {
   return {kind, pixel_key<float>(static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y), seed),
           static_cast<std::uint32_t>(sample)};
+}
+
+/// Seed of the samplers of a part's samples.
+std::uint32_t seed_of(const RenderJob& job, Stream stream, FilterPart part) {
+  return stream_seed(job.seed, stream, static_cast<std::uint64_t>(part));
 }
 
 std::string wider_filter_text(double radius) {
@@ -39,24 +46,36 @@ std::int64_t longest_pass(const RenderJob& job, const Film& film) {
 
 }  // namespace
 
-void render_samples(const RenderJob& job, Stream stream, const char* phase, Film& film, RenderStats& stats,
-                    const PixelEstimate& estimate) {
+void render_samples(const Scene& scene, const RenderJob& job, Stream stream, const char* phase, Film& film,
+                    RenderStats& stats, const PixelEstimate& estimate) {
   const PhaseTimer timer(stats.phases["render"]);
   const Threads threads(job.threads);
-  const std::uint32_t seed = stream_seed(job.seed, stream);
-  RenderLoop loop(job, threads, film, stats, {.phase = phase});
+  const NegativeLobes lobes = negative_lobes(scene, job);
+  if (lobes.any()) film.separate(lobes);
+  RenderLoop loop(job, threads, film, stats, {.phase = phase, .subtracted = lobes.subtracted()});
   while (loop.next()) {
     loop.for_each_tile([&](const Tile& tile) {
       ScalarWork work;
-      for_each_pixel(tile, [&](int x, int y) {
-        RgbD sum(0.0), sum_of_squares(0.0);
-        for (std::int64_t s = loop.first(); s < loop.first() + loop.samples(); ++s) {
-          const RgbD value(estimate(x, y, draws_of(seed, job.sampler, x, y, s), work));
-          sum += value;
-          sum_of_squares += value * value;
-        }
-        film.add(x, y, sum, sum_of_squares, loop.samples());
-      });
+      const auto sample = [&](FilterPart part, std::int64_t first, std::int64_t samples, auto&& add) {
+        const std::uint32_t seed = seed_of(job, stream, part);
+        work.part = part;
+        for_each_pixel(tile, [&](int x, int y) {
+          RgbD sum(0.0), sum_of_squares(0.0);
+          for (std::int64_t s = first; s < first + samples; ++s) {
+            const RgbD value(estimate(x, y, draws_of(seed, job.sampler, x, y, s), work));
+            sum += value;
+            sum_of_squares += value * value;
+          }
+          add(x, y, sum, sum_of_squares);
+        });
+      };
+      sample(FilterPart::positive, loop.first(), loop.samples(),
+             [&](int x, int y, const RgbD& sum, const RgbD& squares) { film.add(x, y, sum, squares, loop.samples()); });
+      if (loop.negative() > 0)
+        sample(FilterPart::negative, loop.first_negative(), loop.negative(),
+               [&](int x, int y, const RgbD& sum, const RgbD& squares) {
+                 film.add_negative(x, y, sum, squares, loop.negative());
+               });
       loop.rays().add(work.rays);
     });
   }
@@ -66,7 +85,6 @@ void render_splats(const Scene& scene, const RenderJob& job, Stream stream, cons
                    RenderStats& stats, const std::function<PixelEstimate()>& make_estimate) {
   const PhaseTimer timer(stats.phases["render"]);
   const Threads threads(job.threads);
-  const std::uint32_t seed = stream_seed(job.seed, stream);
   const Tile& window = film.window();
   const int across = (window.width() + tile_size - 1) / tile_size;
   const int down = (window.height() + tile_size - 1) / tile_size;
@@ -85,7 +103,10 @@ void render_splats(const Scene& scene, const RenderJob& job, Stream stream, cons
   SplatImage pass =
       scene.sample_border ? SplatImage(window, filter) : SplatImage(window, filter, scene.width, scene.height);
   film.set_pixels_a_splat(FilterKernel(filter).pixels_a_splat());
-  RenderLoop loop(job, threads, film, stats, {.phase = phase, .longest = longest_pass(job, film)});
+  const NegativeLobes lobes = negative_lobes(scene, job);
+  RenderLoop loop(
+      job, threads, film, stats,
+      {.phase = phase, .longest = longest_pass(job, film), .subtracted = lobes.subtracted(), .combines_passes = true});
   loop.keep(pass.sums());
   std::vector<Slot> slots(loop.slots());
   while (loop.next()) {
@@ -95,11 +116,22 @@ void render_splats(const Scene& scene, const RenderJob& job, Stream stream, cons
       slot.work.splats.clear();
       slot.radiance.clear();
       const PixelEstimate estimate = make_estimate();
-      for_each_pixel(tile_of(unit), [&](int x, int y) {
+      const auto sum_of = [&](int x, int y, FilterPart part, std::int64_t first, std::int64_t samples) {
+        const std::uint32_t seed = seed_of(job, stream, part);
+        slot.work.part = part;
         RgbD sum(0.0);
-        for (std::int64_t s = loop.first(); s < loop.first() + loop.samples(); ++s)
+        for (std::int64_t s = first; s < first + samples; ++s)
           sum += RgbD(estimate(x, y, draws_of(seed, job.sampler, x, y, s), slot.work));
-        slot.radiance.push_back(sum);
+        return sum;
+      };
+      for_each_pixel(tile_of(unit), [&](int x, int y) {
+        slot.radiance.push_back(sum_of(x, y, FilterPart::positive, loop.first(), loop.samples()));
+        if (loop.negative() == 0) return;
+        const std::size_t splats = slot.work.splats.size();
+        const RgbD negative = sum_of(x, y, FilterPart::negative, loop.first_negative(), loop.negative());
+        slot.work.splats.resize(splats);
+        const double scale = static_cast<double>(loop.samples()) / static_cast<double>(loop.negative());
+        slot.radiance.back() = lobes.combined(x, y, slot.radiance.back(), negative * scale);
       });
       loop.rays().add(slot.work.rays);
     };

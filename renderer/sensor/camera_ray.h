@@ -37,6 +37,60 @@ F filter_offset(const FilterView& filter, const UInt<F>& at, float size, const F
   return filter_offset(filter, F(mul_add(u, F(1.0f - low - high), low)));
 }
 
+/// One sign's lobes of a filter along an axis of the film, for each lane.
+template <class F>
+struct AxisLobes {
+  F integral;      ///< within the film
+  F below, above;  ///< shares beyond the film's borders
+  UInt<F> table;   ///< start in FilterView::lobes
+
+  AxisLobes(const FilterView& filter, const UInt<F>& at, float size, const Mask<F>& negative) {
+    constexpr std::uint32_t widest = FilterView::widest;
+    const auto beyond = [&](const UInt<F>& distance) {
+      const UInt<F> within = select(as_mask<F>(distance < UInt<F>(widest)), distance, UInt<F>(widest));
+      return gather(filter.lobes_beyond_border.data(),
+                    UInt<F>(within + select(negative, UInt<F>(widest + 1), UInt<F>(0u))));
+    };
+    below = beyond(at);
+    above = beyond(UInt<F>(static_cast<std::uint32_t>(size) - 1 - at));
+    integral = select(negative, F(filter.negative_integral), F(1 + filter.negative_integral)) * (1 - below - above);
+    table = select(negative, UInt<F>(FilterView::cells + 1), UInt<F>(0u));
+  }
+
+  /// Distance from the pixel's middle, sampled with the lobes' density.
+  F offset(const FilterView& filter, const F& u) const {
+    const F both = 2 * mul_add(u, F(1 - below - above), below) - 1;
+    const F share = lane_min(F(lane_abs(both)), F(0x1.fffffep-1f));
+    UInt<F> cell(0u);
+    for (std::uint32_t step = FilterView::cells / 2; step > 0; step /= 2) {
+      const UInt<F> next = cell + step;
+      cell = select(gather(filter.lobes.data(), UInt<F>(table + next)) <= share, next, cell);
+    }
+    const F low = gather(filter.lobes.data(), UInt<F>(table + cell));
+    const F high = gather(filter.lobes.data() + 1, UInt<F>(table + cell));
+    const F part = lane_min(F((share - low) / lane_max(F(high - low), F(1e-30f))), F(1.0f));
+    return lane_copysign(F((to_float(cell) + part) * (filter.radius / static_cast<float>(FilterView::cells))), both);
+  }
+};
+
+/// Distances from the middle of the pixel (x, y), sampled with the density of a part of a filter with lobes. The filter
+/// is the product of both axes' lobes, so lobes of the same sign make the positive part. One axis's sign is drawn.
+template <class F>
+Vec2<F> lobe_offsets(const CameraView& camera, const UInt<F>& x, const UInt<F>& y, FilterPart part, const Vec2<F>& u) {
+  const FilterView& filter = camera.filter;
+  const auto across = [&](const Mask<F>& negative) { return AxisLobes<F>(filter, x, camera.width, negative); };
+  const auto down = [&](const Mask<F>& negative) { return AxisLobes<F>(filter, y, camera.height, negative); };
+  const Mask<F> yes(true), no(false);
+  const bool differ = part == FilterPart::negative;
+  const F first = across(no).integral * down(differ ? yes : no).integral;
+  const F second = across(yes).integral * down(differ ? no : yes).integral;
+  const F share = first / lane_max(F(first + second), F(1e-30f));
+  const Mask<F> negative_x = !(u.x < share);
+  const F u_x = select(negative_x, F((u.x - share) / lane_max(F(1 - share), F(1e-30f))), F(u.x / share));
+  const Mask<F> negative_y = differ ? Mask<F>(!negative_x) : negative_x;
+  return {across(negative_x).offset(filter, lane_min(u_x, F(1.0f))), down(negative_y).offset(filter, u.y)};
+}
+
 /// Sets the ray through a point of the raster and, with a lens, through a point of that.
 template <class F>
 void set_ray(const CameraView& camera, const Vec2<F>& raster, const Vec2<F>& u_lens, CameraRay<F>& ray) {

@@ -11,8 +11,11 @@ namespace photonproof::inline renderer_sensor {
 
 enum class CameraKind : std::uint32_t { perspective, thin_lens, orthographic, fisheye };
 
+/// The two parts of a filter with negative lobes: its values above and below 0 (negative_lobes.h).
+enum class FilterPart : std::uint32_t { positive, negative };
+
 /// A pixel's weight of the image around its middle: separable, symmetric. Samples are drawn with that density, so that
-/// all weigh the same.
+/// all weigh the same. With negative lobes, the samples of a part are drawn with the part's density.
 struct FilterView {
   /// Quantiles of the distance along an axis, at 1 - sqrt(1 - u) = i / steps for u uniform: finer where tails are thin.
   static constexpr std::uint32_t steps = 128;
@@ -24,6 +27,14 @@ struct FilterView {
   /// sampled within. All zero when the border is sampled. Filters reach 16 pixels (view_description.h).
   static constexpr std::uint32_t widest = 16;
   std::array<float, widest + 1> beyond_border{};
+
+  /// With negative lobes: for each sign along an axis, the share of its lobes up to the distance cell / `cells` of the
+  /// radius, and beyond borders. The positive lobes come first.
+  static constexpr std::uint32_t cells = 256;
+  bool has_lobes = false;
+  float negative_integral = 0;  ///< of an axis's negative lobes; the positive ones have 1 more
+  std::array<float, 2 * (cells + 1)> lobes{};
+  std::array<float, 2 * (widest + 1)> lobes_beyond_border{};
   FilterView() = default;
 };
 

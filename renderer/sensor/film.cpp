@@ -22,6 +22,28 @@ RgbD variance_of_mean(const RgbD& spread, std::int64_t estimates) {
 
 }  // namespace
 
+void Film::separate(const NegativeLobes& lobes) {
+  negative_.assign(pixels_.size(), Pixel());
+  subtracted_.clear();
+  for (int y = window_.y0; y < window_.y1; ++y)
+    for (int x = window_.x0; x < window_.x1; ++x) subtracted_.push_back(lobes.subtracted(x, y));
+}
+
+RgbD Film::mean(std::size_t pixel) const {
+  const RgbD positive = pixels_[pixel].mean();
+  if (negative_.empty()) return positive;
+  return positive * (1 + subtracted_[pixel]) - negative_[pixel].mean() * subtracted_[pixel];
+}
+
+RgbD Film::variance(std::size_t pixel) const {
+  const Pixel& p = pixels_[pixel];
+  const RgbD positive = variance_of_mean(p.spread(), p.estimates);
+  if (negative_.empty()) return positive;
+  const Pixel& n = negative_[pixel];
+  const double m = subtracted_[pixel];
+  return positive * ((1 + m) * (1 + m)) + variance_of_mean(n.spread(), n.estimates) * (m * m);
+}
+
 void Film::end_shared_pass(double samples) {
   Pixel now;
   for (const Pixel& p : pixels_) {
@@ -41,23 +63,18 @@ void Film::end_shared_pass(double samples) {
 Rendering Film::develop() const {
   Rendering rendering;
   rendering.mean = Image(width(), height());
-  const bool has_variance =
-      std::all_of(pixels_.begin(), pixels_.end(), [](const Pixel& p) { return p.estimates >= 2; }) &&
-      variance_in_float().fits;
-  if (has_variance) rendering.variance = Image(width(), height());
+  bool any_variance = variance_in_float().fits;
+  for (std::size_t i = 0; i < pixels_.size(); ++i) any_variance = any_variance && has_variance(i);
+  if (any_variance) rendering.variance = Image(width(), height());
   const auto store = [](float* out, const RgbD& v) {
     out[0] = static_cast<float>(v.x);
     out[1] = static_cast<float>(v.y);
     out[2] = static_cast<float>(v.z);
   };
   for (std::size_t i = 0; i < pixels_.size(); ++i) {
-    const Pixel& p = pixels_[i];
-    if (p.weight == 0) continue;
-    const RgbD mean = p.sum / p.weight;
-    store(&rendering.mean.rgb[3 * i], mean);
-    if (!has_variance) continue;
-    const RgbD spread = p.sum_of_squares / p.weight - mean * mean;
-    store(&rendering.variance->rgb[3 * i], variance_of_mean(spread, p.estimates));
+    if (pixels_[i].weight == 0) continue;
+    store(&rendering.mean.rgb[3 * i], mean(i));
+    if (any_variance) store(&rendering.variance->rgb[3 * i], variance(i));
   }
   if (passes_.estimates >= 2) {
     const RgbD mean = passes_.sum / passes_.weight;
@@ -74,16 +91,15 @@ VarianceInFloat Film::variance_in_float() const {
   constexpr double most = std::numeric_limits<float>::max(), least = std::numeric_limits<float>::min();
   VarianceInFloat in_float;
   double largest = 0;
-  for (const Pixel& p : pixels_) {
-    if (p.estimates < 2) continue;
-    const RgbD mean = p.sum / p.weight, spread = p.sum_of_squares / p.weight - mean * mean;
-    const RgbD variance = variance_of_mean(spread, p.estimates);
+  for (std::size_t i = 0; i < pixels_.size(); ++i) {
+    if (!has_variance(i)) continue;
+    const RgbD of_pixel = variance(i), positive = pixels_[i].mean(), spread = pixels_[i].spread();
     const auto is_lost = [&](double v, double of, double m) {
       return v > most || (v < least && of > of_rounding * m * m);
     };
-    largest = std::max({largest, variance.x, variance.y, variance.z});
-    if (is_lost(variance.x, spread.x, mean.x) || is_lost(variance.y, spread.y, mean.y) ||
-        is_lost(variance.z, spread.z, mean.z))
+    largest = std::max({largest, of_pixel.x, of_pixel.y, of_pixel.z});
+    if (is_lost(of_pixel.x, spread.x, positive.x) || is_lost(of_pixel.y, spread.y, positive.y) ||
+        is_lost(of_pixel.z, spread.z, positive.z))
       ++in_float.lost;
   }
   in_float.fits = in_float.lost == 0 || (largest <= most && largest >= least);
@@ -92,20 +108,18 @@ VarianceInFloat Film::variance_in_float() const {
 
 std::optional<double> Film::relative_standard_error(double epsilon) const {
   RgbD sum(0.0);
-  for (const Pixel& p : pixels_) {
-    if (p.estimates < 2) return std::nullopt;
-    const RgbD mean = p.sum / p.weight;
-    const RgbD variance = variance_of_mean(p.sum_of_squares / p.weight - mean * mean, p.estimates);
-    const RgbD scale = mean * mean + RgbD(epsilon);
-    sum += RgbD(variance.x / scale.x, variance.y / scale.y, variance.z / scale.z);
+  for (std::size_t i = 0; i < pixels_.size(); ++i) {
+    if (!has_variance(i)) return std::nullopt;
+    const RgbD of_pixel = variance(i), of_mean = mean(i);
+    const RgbD scale = of_mean * of_mean + RgbD(epsilon);
+    sum += RgbD(of_pixel.x / scale.x, of_pixel.y / scale.y, of_pixel.z / scale.z);
   }
   return std::sqrt((sum.x + sum.y + sum.z) / (3 * static_cast<double>(pixels_.size())));
 }
 
 double Film::mean_square() const {
   RgbD sum(0.0);
-  for (const Pixel& p : pixels_)
-    if (p.weight > 0) sum += (p.sum / p.weight) * (p.sum / p.weight);
+  for (std::size_t i = 0; i < pixels_.size(); ++i) sum += mean(i) * mean(i);
   return (sum.x + sum.y + sum.z) / (3 * static_cast<double>(pixels_.size()));
 }
 
@@ -117,6 +131,7 @@ std::size_t Film::unsampled_pixels() const {
 void Film::save(StateWriter& out) const {
   out.value(window_);
   out.vector(pixels_);
+  if (!negative_.empty()) out.vector(negative_);
   out.value(passes_);
   out.value(before_pass_);
 }
@@ -124,6 +139,7 @@ void Film::save(StateWriter& out) const {
 void Film::restore(StateReader& in) {
   if (in.value<Tile>() != window_) in.refuse("it is of another part of the image");
   in.vector(pixels_);
+  if (!negative_.empty()) in.vector(negative_);
   passes_ = in.value<Pixel>();
   before_pass_ = in.value<Pixel>();
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "renderer/core/parallel.h"
+#include "renderer/sensor/negative_lobes.h"
 #include "scenes/base/vec.h"
 #include "scenes/images/image.h"
 
@@ -49,6 +50,17 @@ class Film {
     p.estimates += estimates;
   }
 
+  /// Call before the first estimate where samples of a filter's negative lobes are added by themselves.
+  void separate(const NegativeLobes& lobes);
+  /// Several independent estimates of weight 1 from the negative lobes.
+  void add_negative(int x, int y, const RgbD& sum, const RgbD& sum_of_squares, std::int64_t estimates) {
+    Pixel& p = negative_[index(x, y)];
+    p.sum += sum;
+    p.sum_of_squares += sum_of_squares;
+    p.weight += static_cast<double>(estimates);
+    p.estimates += estimates;
+  }
+
   /// Call after every pass of `samples` per pixel whose pixels share light paths or photons. They are correlated, so
   /// only the passes show the error of the image's mean. An interrupted pass does not count until it is whole.
   void end_shared_pass(double samples);
@@ -74,10 +86,7 @@ class Film {
   /// Mean over channel values of mean^2.
   double mean_square() const;
   /// Mean of the estimates so far; 0 where there is none.
-  RgbD mean(int x, int y) const {
-    const Pixel& p = pixels_[index(x, y)];
-    return p.weight > 0 ? p.sum / p.weight : RgbD(0.0);
-  }
+  RgbD mean(int x, int y) const { return mean(index(x, y)); }
   /// Whether develop() gives the variance layer, and the number of pixels whose variance it cannot hold.
   VarianceInFloat variance_in_float() const;
   /// Pixels without an estimate (after an interrupted first pass).
@@ -99,7 +108,16 @@ class Film {
     RgbD sum{0.0}, sum_of_squares{0.0};
     double weight = 0;
     std::int64_t estimates = 0;
+
+    RgbD mean() const { return weight > 0 ? sum / weight : RgbD(0.0); }
+    RgbD spread() const { return sum_of_squares / weight - mean() * mean(); }
   };
+  RgbD mean(std::size_t pixel) const;
+  bool has_variance(std::size_t pixel) const {
+    return pixels_[pixel].estimates >= 2 && (negative_.empty() || negative_[pixel].estimates >= 2);
+  }
+  /// The variance of the mean of a pixel that has it.
+  RgbD variance(std::size_t pixel) const;
   std::size_t index(int x, int y) const {
     return static_cast<std::size_t>(y - window_.y0) * static_cast<std::size_t>(window_.width()) +
            static_cast<std::size_t>(x - window_.x0);
@@ -107,8 +125,10 @@ class Film {
 
   Tile window_;
   std::vector<Pixel> pixels_;
-  Pixel passes_;       ///< of the image's mean; each shared pass is an estimate
-  Pixel before_pass_;  ///< sums over all pixels at the end of the last pass
+  std::vector<Pixel> negative_;     ///< of the negative lobes, where they are separate
+  std::vector<double> subtracted_;  ///< their factors (negative_lobes.h)
+  Pixel passes_;                    ///< of the image's mean; each shared pass is an estimate
+  Pixel before_pass_;               ///< sums over all pixels at the end of the last pass
   double pixels_a_splat_ = 1;
 };
 

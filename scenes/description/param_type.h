@@ -33,7 +33,7 @@ struct Range {
   bool open_above = false;
   bool holds(double x) const { return (open ? x > low : x >= low) && (open_above ? x < high : x <= high); }
 };
-constexpr Range kAny{}, kNotNegative{0, kUnbounded}, kShare{0, 1};
+constexpr Range kAny{}, kNotNegative{0, kUnbounded}, kShare{0, 1}, kFilterRadius{0.5, 16, "0.5 to 16 pixels"};
 
 /// A word that stands for a value.
 template <class Value>

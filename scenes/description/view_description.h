@@ -116,12 +116,16 @@ void describe(P& p, FisheyeDescription& d) {
 }
 
 /// Sizes in pixels. Box: radius 0.5. Tent: radius 1. Gaussian: this deviation, cut at 4 deviations and shifted to 0
-/// there.
+/// there. The others have negative lobes.
 struct ReconstructionFilter {
-  enum class Kind { box, tent, gaussian };
+  enum class Kind { box, tent, gaussian, mitchell, catmullrom, lanczos, sinc };
   Kind kind = Kind::gaussian;
   double stddev = 0.5;
-  double radius = 1;  ///< of the tent
+  double radius = 1;                           ///< of the tent
+  double b = 1.0 / 3, c = 1.0 / 3;             ///< of mitchell; catmullrom is that of B = 0 and C = 1/2
+  std::optional<double> mitchell_radius = {};  ///< without one: 2
+  int lobes = 3;                               ///< of lanczos: sinc with this radius and tau
+  double sinc_radius = 4, tau = 3;             ///< sinc(x) sinc(x / tau) up to the radius
   friend bool operator==(const ReconstructionFilter&, const ReconstructionFilter&) = default;
 };
 
@@ -136,6 +140,21 @@ void describe(P& p, ReconstructionFilter& d) {
     case ReconstructionFilter::Kind::gaussian:
       p.plugin("gaussian", "cut at 4 deviations; when none is named");
       return p.positive("stddev", d.stddev, "pixels", 4, "pixels");
+    case ReconstructionFilter::Kind::mitchell:
+      p.plugin("mitchell", "cubic, with negative lobes");
+      p.number("B", d.b, scene_xml::kShare, "");
+      p.number("C", d.c, scene_xml::kShare, "");
+      return p.optional_number("radius", d.mitchell_radius, scene_xml::kFilterRadius,
+                               "extension: the cubic stretched from 2 pixels to this");
+    case ReconstructionFilter::Kind::catmullrom:
+      return p.plugin("catmullrom", "mitchell of B = 0 and C = 1/2");
+    case ReconstructionFilter::Kind::lanczos:
+      p.plugin("lanczos", "sinc(x) sinc(x / lobes), with negative lobes");
+      return p.integer("lobes", d.lobes, 1, 16, "radius in pixels");
+    case ReconstructionFilter::Kind::sinc:
+      p.plugin("sinc", "extension: sinc(x) sinc(x / tau), parameters of pbrt");
+      p.number("radius", d.sinc_radius, scene_xml::kFilterRadius, "pixels");
+      return p.number("tau", d.tau, {1, 1000, "1 to 1000"}, "");
   }
 }
 

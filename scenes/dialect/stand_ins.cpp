@@ -69,7 +69,7 @@ class Translator {
     if (row == stand_ins().end()) return;
     if (!row->loss.empty()) notes_.add_stand_in(element, std::string(row->becomes), std::string(row->loss));
     set_attribute(element, "type", std::string(row->becomes));
-    if (row->tag == "rfilter" || row->tag == "phase" || row->type == "retarder") element.children.clear();
+    if (row->tag == "phase" || row->type == "retarder") element.children.clear();
     if (row->type == "telecentric") take_parameter(element, "aperture_radius");
   }
 
@@ -234,9 +234,6 @@ const std::vector<StandIn>& stand_ins() {
       {"film", "tiledhdrfilm", "hdrfilm", ""},
       {"phase", "sggx", "isotropic", "without directions of flakes"},
       {"sensor", "telecentric", "orthographic", "everything is sharp"},
-      {"rfilter", "catmullrom", "gaussian", "without negative lobes"},
-      {"rfilter", "lanczos", "gaussian", "without negative lobes"},
-      {"rfilter", "mitchell", "gaussian", "without negative lobes"},
       {"sampler", "halton", "independent", ""},
       {"sampler", "hammersley", "independent", ""},
       {"sampler", "sobol", "independent", ""}};

@@ -27,6 +27,9 @@ class PluginReader {
     if (params_.has(name)) v = static_cast<int>(params_.integer(name, 0, low, high));
   }
   void number(const char* name, double& v, const Range& range, const char*);
+  void optional_number(const char* name, std::optional<double>& v, const Range& range, const char* what) {
+    if (params_.has(name)) number(name, v.emplace(), range, what);
+  }
   void number_after(const char* name, double& v, double fallback, const char*, const char*) {
     v = params_.number(name, fallback);
   }

@@ -53,6 +53,10 @@ void PluginRows::number(const char* name, double v, const Range& range, const ch
   add(name, ParamType::number, format_number(v), text_of(range), what);
 }
 
+void PluginRows::optional_number(const char* name, const std::optional<double>&, const Range& range, const char* what) {
+  add(name, ParamType::number, "none", text_of(range), what);
+}
+
 void PluginRows::number_after(const char* name, double, double, const char* fallback_text, const char* what) {
   add(name, ParamType::number, fallback_text, "", what);
 }

@@ -34,6 +34,7 @@ class PluginRows {
   void optional_integer(const char* name, const std::optional<int>& v, std::int64_t low, std::int64_t high,
                         const char* what);
   void number(const char* name, double v, const Range& range, const char* what);
+  void optional_number(const char* name, const std::optional<double>& v, const Range& range, const char* what);
   void number_after(const char* name, double v, double fallback, const char* fallback_text, const char* what);
   void positive(const char* name, double v, const char* what, double most = kUnbounded, const char* unit = "");
   void ior(const char* name, double v, const char* what);

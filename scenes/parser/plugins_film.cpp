@@ -1,4 +1,4 @@
-// Mitsuba 3's hdrfilm with the filters box, tent and gaussian.
+// Mitsuba 3's hdrfilm with its filters.
 #include "scenes/description/description.h"
 #include "scenes/parser/plugin_reader.h"
 
@@ -16,7 +16,11 @@ struct CompleteFilm {
   void operator()(FilmDescription& d) const {
     static const std::vector<Plugin<Filter>> filters = {
         described_plugin<Filter, CompleteFilm>(Filter{Filter::Kind::box}),
+        described_plugin<Filter, CompleteFilm>(Filter{Filter::Kind::catmullrom}),
         described_plugin<Filter, CompleteFilm>(Filter{Filter::Kind::gaussian}),
+        described_plugin<Filter, CompleteFilm>(Filter{Filter::Kind::lanczos}),
+        described_plugin<Filter, CompleteFilm>(Filter{Filter::Kind::mitchell}),
+        described_plugin<Filter, CompleteFilm>(Filter{Filter::Kind::sinc}),
         described_plugin<Filter, CompleteFilm>(Filter{Filter::Kind::tent})};
     const std::int64_t pixels = std::int64_t{d.width} * d.height;
     params.expect(pixels <= kMaxPixels, "width",

@@ -307,6 +307,22 @@ TEST(plugins, read_films) {
   EXPECT_EQ(film.filter, (ReconstructionFilter{ReconstructionFilter::Kind::tent, 0.5, 2}));
 }
 
+TEST(plugins, take_filters_with_negative_lobes) {
+  using Kind = ReconstructionFilter::Kind;
+  const auto filter = [](const std::string& text) {
+    return sensor("perspective", "<film type='hdrfilm'><rfilter " + text + "</rfilter></film>").film.filter;
+  };
+  EXPECT_EQ(filter("type='mitchell'>"), (ReconstructionFilter{.kind = Kind::mitchell}));
+  EXPECT_EQ(filter("type='mitchell'><float name='B' value='0'/><float name='C' value='0.75'/>"),
+            (ReconstructionFilter{.kind = Kind::mitchell, .b = 0, .c = 0.75}));
+  EXPECT_EQ(filter("type='mitchell'><float name='radius' value='3'/>").mitchell_radius, 3);
+  EXPECT_EQ(filter("type='catmullrom'>"), (ReconstructionFilter{.kind = Kind::catmullrom}));
+  EXPECT_EQ(filter("type='lanczos'><integer name='lobes' value='4'/>"),
+            (ReconstructionFilter{.kind = Kind::lanczos, .lobes = 4}));
+  EXPECT_EQ(filter("type='sinc'><float name='radius' value='3'/><float name='tau' value='2'/>"),
+            (ReconstructionFilter{.kind = Kind::sinc, .sinc_radius = 3, .tau = 2}));
+}
+
 TEST(plugins, take_any_of_mitsubas_samplers) {
   for (const char* type : {"independent", "stratified", "multijitter", "orthogonal", "ldsampler"})
     EXPECT_EQ(sensor("perspective",

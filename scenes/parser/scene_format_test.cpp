@@ -77,7 +77,8 @@ std::string all_tables() {
   emitters.push_back(rows_of<AreaEmitter>());
   using Kind = ReconstructionFilter::Kind;
   std::vector<PluginRows> filters, samplers;
-  for (const Kind kind : {Kind::box, Kind::tent, Kind::gaussian})
+  for (const Kind kind :
+       {Kind::box, Kind::tent, Kind::gaussian, Kind::mitchell, Kind::catmullrom, Kind::lanczos, Kind::sinc})
     filters.push_back(rows_of(ReconstructionFilter{.kind = kind}));
   for (const char* type : {"independent", "stratified", "multijitter", "orthogonal", "ldsampler"})
     samplers.push_back(rows_of(SamplerPlugin{.type = type}));

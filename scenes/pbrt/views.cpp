@@ -48,12 +48,18 @@ void read_film(PbrtContext& context, const PbrtEntity& film) {
   p.finish();
 }
 
+/// The radius of a filter with negative lobes: that along x.
+double radius_of_both_axes(PbrtContext& context, const PbrtParameters& p, double fallback) {
+  const double x = p.number("xradius", fallback, 0.5, 16), y = p.number("yradius", fallback, 0.5, 16);
+  if (x != y) context.log.note(p.at(), "the filter's yradius is rendered as its xradius");
+  return x;
+}
+
 void read_filter(PbrtContext& context, const PbrtEntity* filter) {
   ReconstructionFilter& d = context.scene.sensor.film.filter;
   d = {ReconstructionFilter::Kind::gaussian};
   if (filter == nullptr) return;
   const PbrtParameters& p = filter->parameters;
-  p.ignore({"yradius", "B", "C", "tau"});
   const bool has_radius = p.has("xradius");
   if (filter->type == "gaussian") {
     p.ignore({"xradius"});
@@ -67,13 +73,20 @@ void read_filter(PbrtContext& context, const PbrtEntity* filter) {
   } else if (filter->type == "triangle") {
     d.kind = ReconstructionFilter::Kind::tent;
     d.radius = p.number("xradius", 2, 1e-3, 16);
-  } else if (filter->type == "mitchell" || filter->type == "sinc") {
-    p.ignore({"xradius"});
-    context.log.note(p.at(),
-                     "filter " + in_quotes(filter->type) + " is rendered as 'gaussian', without negative lobes");
+  } else if (filter->type == "mitchell") {
+    d.kind = ReconstructionFilter::Kind::mitchell;
+    d.b = p.number("B", 1.0 / 3, 0, 1);
+    d.c = p.number("C", 1.0 / 3, 0, 1);
+    const double radius = radius_of_both_axes(context, p, 2);
+    if (radius != 2) d.mitchell_radius = radius;
+  } else if (filter->type == "sinc") {
+    d.kind = ReconstructionFilter::Kind::sinc;
+    d.sinc_radius = radius_of_both_axes(context, p, 4);
+    d.tau = p.number("tau", 3, 1, 1000);
   } else {
     p.fail("is not supported, expected box, gaussian, mitchell, sinc or triangle");
   }
+  p.ignore({"yradius", "B", "C", "tau"});
   p.finish();
 }
 

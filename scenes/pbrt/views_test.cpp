@@ -134,6 +134,21 @@ TEST_F(PbrtViewsTest, integrators_and_samplers_are_the_nearest) {
   EXPECT_EQ(std::get<SppmDescription>(sppm.integrator.method).photons, 1000);
 }
 
+TEST_F(PbrtViewsTest, filters_with_negative_lobes_keep_their_parameters) {
+  using Kind = ReconstructionFilter::Kind;
+  const auto filter = [&](const std::string& words) {
+    return read("PixelFilter " + words + " WorldBegin").sensor.film.filter;
+  };
+  EXPECT_EQ(filter("\"mitchell\""), (ReconstructionFilter{.kind = Kind::mitchell}));
+  EXPECT_EQ(filter("\"mitchell\" \"float B\" .1 \"float C\" .7 \"float xradius\" 3 \"float yradius\" 3"),
+            (ReconstructionFilter{.kind = Kind::mitchell, .b = 0.1, .c = 0.7, .mitchell_radius = 3}));
+  EXPECT_EQ(filter("\"sinc\""), (ReconstructionFilter{.kind = Kind::sinc}));
+  EXPECT_FALSE(noted("yradius"));
+  EXPECT_EQ(filter("\"sinc\" \"float xradius\" 2 \"float tau\" 2"),
+            (ReconstructionFilter{.kind = Kind::sinc, .sinc_radius = 2, .tau = 2}));
+  EXPECT_TRUE(noted("the filter's yradius is rendered as its xradius"));
+}
+
 TEST_F(PbrtViewsTest, iso_and_shutter_scale_all_light) {
   const auto intensity = [&](const std::string& film) {
     const SceneDescription scene = read(film + "\nWorldBegin LightSource \"point\" \"rgb I\" [ 3 3 3 ]");

@@ -33,6 +33,9 @@ class PluginWriter {
     if (v) xml_.integer(name, *v);
   }
   void number(const char* name, double v, const scene_xml::Range&, const char*) { xml_.number(name, v); }
+  void optional_number(const char* name, const std::optional<double>& v, const scene_xml::Range&, const char*) {
+    if (v) xml_.number(name, *v);
+  }
   void number_after(const char* name, double v, double, const char*, const char*) { xml_.number(name, v); }
   void positive(const char* name, double v, const char*, double = 0, const char* = "") { xml_.number(name, v); }
   void ior(const char* name, double v, const char*) { xml_.number(name, v); }

@@ -388,7 +388,21 @@ class RandomScene {
         result.camera = FisheyeDescription{1 + 359 * unit(), near, far};
     }
     result.film = {1 + static_cast<int>(pick(65536)), 1 + static_cast<int>(pick(4096)), {}, std::nullopt};
-    switch (pick(3)) {
+    using Kind = ReconstructionFilter::Kind;
+    switch (pick(7)) {
+      case 3:
+        result.film.filter = {.kind = Kind::mitchell, .b = unit(), .c = unit()};
+        if (coin()) result.film.filter.mitchell_radius = 0.5 + 15 * unit();
+        break;
+      case 4:
+        result.film.filter = {.kind = Kind::catmullrom};
+        break;
+      case 5:
+        result.film.filter = {.kind = Kind::lanczos, .lobes = 1 + static_cast<int>(pick(16))};
+        break;
+      case 6:
+        result.film.filter = {.kind = Kind::sinc, .sinc_radius = 0.5 + 15 * unit(), .tau = 1 + unit()};
+        break;
       case 0:
         result.film.filter = {ReconstructionFilter::Kind::box};
         break;
