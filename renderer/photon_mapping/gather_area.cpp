@@ -49,9 +49,9 @@ float chance_of_leaf(const Scene& scene, std::uint32_t bsdf, bool behind, const 
 /// Areas of meshes with more triangles are measured once for neighbouring points.
 constexpr std::size_t most_measured_each = 64;
 
-/// A number for the cell of a point: points of one cell lie on the same surface within an eighth of the radius along
-/// each axis, their normals within some 12 degrees and their radii within 6 %. On a flat surface with a straight border
-/// an eighth of the radius changes the area by 8 % at most.
+/// A number for the cell of a point. Points of one cell lie on the same surface, within an eighth of the radius along
+/// each axis. Their normals are within some 12 degrees and their radii within 6 %. On a flat surface with a straight
+/// border an eighth of the radius changes the area by 8 % at most.
 std::uint64_t area_cell(const GatherPoint& point, float radius) {
   constexpr float radius_steps = 12, cells_a_radius = 8;  // steps a factor of 2
   constexpr std::uint32_t normal_step_bits = 6;           // of SurfaceSide::normal_bits

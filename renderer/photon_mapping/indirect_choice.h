@@ -37,7 +37,7 @@ struct IndirectPilot {
   std::optional<WayOfLight> paths_alone;   ///< Absent where the pilot cannot measure their error.
   bool caustics = false;                   ///< Whether there is a caustic map.
   double indirect_square = 0;              ///< The term i^2 of above.
-  RadiusTrials trials{};                   ///< Of the global map; may be empty.
+  RadiusTrials trials{};                   ///< Radii of the global map; may be empty.
   double photons_a_sample = 0;             ///< The ratio N / S.
   double pixels = 1;
 };

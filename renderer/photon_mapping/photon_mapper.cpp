@@ -200,7 +200,7 @@ void try_radii(const PhotonSource& source, const RenderPlan& plan, const GatherA
   }
 }
 
-/// What gathers need, made when a method needs it.
+/// Areas and radii of gathers, made when a method needs them.
 struct GatherTools {
   const PhotonSource& source;
   const RenderPlan& plan;

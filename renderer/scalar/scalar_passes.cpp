@@ -44,6 +44,25 @@ std::int64_t longest_pass(const RenderJob& job, const Film& film) {
   return std::clamp<std::int64_t>(job.budget.spp.value_or(job.sample_count) / passes_wanted, 1, affordable);
 }
 
+/// The tiles of a window, row by row.
+class TileGrid {
+ public:
+  explicit TileGrid(const Tile& window)
+      : window_(window),
+        across_((window.width() + tile_size - 1) / tile_size),
+        down_((window.height() + tile_size - 1) / tile_size) {}
+  std::size_t count() const { return static_cast<std::size_t>(across_) * static_cast<std::size_t>(down_); }
+  Tile tile(std::size_t number) const {
+    const int x0 = window_.x0 + static_cast<int>(number) % across_ * tile_size;
+    const int y0 = window_.y0 + static_cast<int>(number) / across_ * tile_size;
+    return {x0, y0, std::min(x0 + tile_size, window_.x1), std::min(y0 + tile_size, window_.y1)};
+  }
+
+ private:
+  const Tile& window_;
+  int across_, down_;
+};
+
 }  // namespace
 
 void render_samples(const Scene& scene, const RenderJob& job, Stream stream, const char* phase, Film& film,
@@ -86,14 +105,7 @@ void render_splats(const Scene& scene, const RenderJob& job, Stream stream, cons
   const PhaseTimer timer(stats.phases["render"]);
   const Threads threads(job.threads);
   const Tile& window = film.window();
-  const int across = (window.width() + tile_size - 1) / tile_size;
-  const int down = (window.height() + tile_size - 1) / tile_size;
-  const auto units = static_cast<std::size_t>(across) * static_cast<std::size_t>(down);
-  const auto tile_of = [&](std::size_t unit) {
-    const int x0 = window.x0 + static_cast<int>(unit) % across * tile_size;
-    const int y0 = window.y0 + static_cast<int>(unit) / across * tile_size;
-    return Tile{x0, y0, std::min(x0 + tile_size, window.x1), std::min(y0 + tile_size, window.y1)};
-  };
+  const TileGrid tiles(window);
   struct Slot {
     ScalarWork work;
     std::vector<RgbD> radiance;  ///< of the tile's pixels
@@ -124,7 +136,7 @@ void render_splats(const Scene& scene, const RenderJob& job, Stream stream, cons
           sum += RgbD(estimate(x, y, draws_of(seed, job.sampler, x, y, s), slot.work));
         return sum;
       };
-      for_each_pixel(tile_of(unit), [&](int x, int y) {
+      for_each_pixel(tiles.tile(unit), [&](int x, int y) {
         slot.radiance.push_back(sum_of(x, y, FilterPart::positive, loop.first(), loop.samples()));
         if (loop.negative() == 0) return;
         const std::size_t splats = slot.work.splats.size();
@@ -136,17 +148,16 @@ void render_splats(const Scene& scene, const RenderJob& job, Stream stream, cons
       loop.rays().add(slot.work.rays);
     };
     const auto commit = [&](std::size_t unit, std::size_t number) {
-      const Slot& slot = slots[number];
-      pass.add(slot.work.splats);
-      auto radiance = slot.radiance.begin();
-      for_each_pixel(tile_of(unit), [&](int x, int y) { pass.add(x, y, *radiance++); });
-      if (unit + 1 < units) return;
+      pass.add(slots[number].work.splats);
+      auto radiance = slots[number].radiance.begin();
+      for_each_pixel(tiles.tile(unit), [&](int x, int y) { pass.add(x, y, *radiance++); });
+      if (unit + 1 < tiles.count()) return;
       const auto samples = static_cast<double>(loop.samples());
       for_each_pixel(window, [&](int x, int y) { film.add(x, y, pass.sum(x, y) / samples, samples); });
       film.end_shared_pass(samples);
       pass.clear();
     };
-    loop.for_each_in_order(units, work_on, commit);
+    loop.for_each_in_order(tiles.count(), work_on, commit);
   }
 }
 

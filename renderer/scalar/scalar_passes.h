@@ -18,14 +18,14 @@ struct ScalarWork {
   FilterPart part = FilterPart::positive;  ///< Part of the filter from which camera rays are drawn.
 };
 
-/// Radiance of one camera sample of pixel (x, y); `draws` is the sample's own sampler. Splats of samples of the filter's
-/// negative part do not count.
+/// Radiance of one camera sample of pixel (x, y); `draws` is the sample's own sampler. Splats of samples of the
+/// filter's negative part do not count.
 using PixelEstimate = std::function<Rgb(int x, int y, const PathSampler& draws, ScalarWork& work)>;
 
 /// Renders one camera sample after the other. Samples are independent estimates, so the film's variances are unbiased.
 /// For estimators without splats.
-void render_samples(const Scene& scene, const RenderJob& job, Stream stream, const char* phase, Film& film, RenderStats& stats,
-                    const PixelEstimate& estimate);
+void render_samples(const Scene& scene, const RenderJob& job, Stream stream, const char* phase, Film& film,
+                    RenderStats& stats, const PixelEstimate& estimate);
 
 /// Renders with as many paths as camera samples, each of which may add radiance to its pixel and splat anywhere. The
 /// sum of a pixel in one pass is one estimate for the film. Splats of one pass share their paths and passes share

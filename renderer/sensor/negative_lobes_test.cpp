@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <tuple>
 
 #include "renderer/lanes/test_chi_square.h"
 #include "renderer/lanes/test_random.h"
@@ -55,14 +56,17 @@ TEST(negative_lobes, their_integral_is_that_of_the_product_of_both_axes_below_ze
         const double negative = part(x, 1) * part(y, -1) + part(x, -1) * part(y, 1);
         const double positive = part(x, 1) * part(y, 1) + part(x, -1) * part(y, -1);
         EXPECT_NEAR(lobes.subtracted(x, y), negative / (positive - negative), 1e-5) << published.name << x << y;
-        if (x == y && x == 10) EXPECT_NEAR(lobes.subtracted(), lobes.subtracted(x, y), 1e-12);
+        if (x == y && x == 10) {
+          EXPECT_NEAR(lobes.subtracted(), lobes.subtracted(x, y), 1e-12);
+        }
         EXPECT_TRUE(lobes.any());
       }
   using Kind = ReconstructionFilter::Kind;
   for (const ReconstructionFilter& filter : {ReconstructionFilter{.kind = Kind::gaussian},
                                              {.kind = Kind::mitchell, .b = 1, .c = 0},
-                                             {.kind = Kind::lanczos, .lobes = 1}})
+                                             {.kind = Kind::lanczos, .lobes = 1}}) {
     EXPECT_FALSE(NegativeLobes(filter, false, 20, 20).any());
+  }
 }
 
 TEST(negative_lobes, samples_of_both_parts_are_drawn_as_the_filter_weighs) {
