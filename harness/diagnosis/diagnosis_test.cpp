@@ -388,6 +388,8 @@ TEST(Diagnosis, says_nothing_of_right_pictures_but_fireflies) {
       for (const int spp : {4, 16, 48})
         for (const char* integrator : {"photonmapper", "path"}) {
           if (scene == std::string("course-2") && (seed > 2 || spp > 16)) continue;
+          // With the photons of 4 samples the maps of course-2 blur its caustics: that picture does differ.
+          if (scene == std::string("course-2") && spp < 16 && integrator == std::string("photonmapper")) continue;
           const std::vector<Finding> findings =
               diagnose(as_bytes(submission(scene, seed, spp, integrator)), known(scene));
           for (const Finding& f : findings)

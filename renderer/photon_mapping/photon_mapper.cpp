@@ -185,7 +185,8 @@ void try_radii(const PhotonSource& source, const RenderPlan& plan, const GatherA
                const std::vector<MapState*>& maps, RenderStats& stats) {
   const PhaseTimer phase(stats.phases["pilot"]);
   std::optional<RadiusPilot> pilot;
-  const PathSettings paths = camera_path_settings(source.settings, plan);
+  PathSettings paths = camera_path_settings(source.settings, plan);
+  paths.direct_light = DirectLight::weighted;  // also in views without it, whose radii are those of the whole
   for (MapState* map : maps) {
     if (!tries_radii(*map, source.settings) || map->tried) continue;
     map->tried = true;
