@@ -284,7 +284,7 @@ class PhotonsOnMeshes : public testing::TestWithParam<MeshCase> {};
 TEST_P(PhotonsOnMeshes, show_what_path_tracing_shows) {
   Effort effort;
   effort.path_spp = 24;
-  effort.photons = 50'000;
+  effort.photons = 70'000;
   EXPECT_LE(judge(compare(GetParam().scene(effort.size), effort), GetParam().name), 0.1);
 }
 
