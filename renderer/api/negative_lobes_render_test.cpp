@@ -59,12 +59,14 @@ double mean_of_column(const Image& image, int x) {
 
 TEST_F(NegativeLobesRender, an_edge_is_the_filters_integral_over_the_lit_half_plane) {
   // The least error that this sees is the tolerance, 0.004 of the light. At their edges filters overshoot by 0.017
-  // (mitchell) to 0.083 (lanczos 5).
+  // (mitchell) to 0.083 (lanczos 5). Camera samples and splats are filtered by code of their own, with every filter;
+  // other integrators share that code, and render one filter.
   double lowest = 1, highest = 0;
   for (const PublishedFilter& f : test::published_filters())
     for (const bool border : {false, true})
       for (const Integrator& row : integrators()) {
         const std::string name = row.name;
+        if (name != "path" && name != "ptracer" && f.name != "lanczos") continue;
         const Image image =
             render_scene(scene(f.xml, border, light()), {.integrator = name, .budget = {.spp = 2048}}).image.mean;
         for (int x = 0; x < width; ++x) {
@@ -111,9 +113,10 @@ TEST_F(NegativeLobesRender, the_variance_layer_is_that_of_the_image) {
   // The variance between images of 400 seeds and the mean of their layers, each summed over the image. At least 40
   // pixels beside the edge count, so an error of 5 % is seen. `photonmapper` takes more samples in later passes where
   // pixels are noisy. Its layer is an upper bound with any filter: 1.17 times the variance here with a Gaussian.
-  for (const char* filter : {"lanczos", "mitchell"})
-    for (const char* integrator : {"path", "volpath", "bdpt", "sppm"}) {
-      const SceneDescription edges = scene("<rfilter type='" + std::string(filter) + "'/>", false, light());
+  for (const std::string filter : {"lanczos", "mitchell"})
+    for (const std::string integrator : {"path", "volpath", "bdpt", "sppm"}) {
+      if (filter == "mitchell" && integrator != "path") continue;  // the layer's code is the same for all filters
+      const SceneDescription edges = scene("<rfilter type='" + filter + "'/>", false, light());
       constexpr int seeds = 400;
       std::vector<double> sum(width * height), squares(sum), layer(sum);
       for (int seed = 0; seed < seeds; ++seed) {
