@@ -14,6 +14,7 @@
 #include "scenes/description/file_names.h"
 #include "scenes/dialect/model_file.h"
 #include "scenes/files/atomic_file.h"
+#include "scenes/files/scratch_folder.h"
 #include "scenes/parser/parser.h"
 #include "scenes/xml/writer.h"
 
@@ -28,54 +29,74 @@ struct ConvertArguments {
   bool force = false;
 };
 
-/// Copies the files that a scene names into a folder, and renames them there.
-class FileCopies {
+/// Gathers the files that a scene names, and gives them names within a folder.
+class FileNames {
  public:
-  FileCopies(fs::path from, fs::path to) : from_(std::move(from)), to_(std::move(to)) {}
+  explicit FileNames(fs::path from) : from_(std::move(from)) {}
 
-  void copy(std::string& name) {
-    const fs::path source = from_ / name;
-    const auto [known, is_new] = copied_.try_emplace(source.lexically_normal().string(), free_name(name));
-    const fs::path target = to_ / known->second;
-    std::error_code error;
-    if (is_new && !fs::equivalent(source, target, error)) {
-      fs::create_directories(target.parent_path(), error);
-      if (!error) fs::copy_file(source, target, fs::copy_options::overwrite_existing, error);
-      if (error) throw InputError(source.string(), "cannot be copied to " + target.string() + ": " + error.message());
-    }
-    name = known->second;
+  void gather(std::string& name) {
+    const fs::path source = (from_ / name).lexically_normal();
+    const auto known = names_.find(source);
+    name = known != names_.end() ? known->second : names_[source] = free_name(name);
   }
-  std::size_t count() const { return copied_.size(); }
+  /// Source and name of every file.
+  const std::map<fs::path, std::string>& all() const { return names_; }
 
  private:
   /// The name itself if it stays below the scene, else its last part, with a number where another file has that.
   std::string free_name(const std::string& name) {
     const fs::path plain = fs::path(name).lexically_normal();
-    fs::path result = plain.is_absolute() || plain.begin()->string() == ".." ? plain.filename() : plain;
+    const fs::path kept = plain.is_absolute() || plain.begin()->string() == ".." ? plain.filename() : plain;
+    fs::path result = kept;
     for (int number = 2; !taken_.insert(result.string()).second; ++number)
-      result =
-          result.parent_path() / (plain.stem().string() + "-" + std::to_string(number) + plain.extension().string());
+      result = kept.parent_path() / (plain.stem().string() + "-" + std::to_string(number) + plain.extension().string());
     return result.string();
   }
 
-  fs::path from_, to_;
-  std::map<std::string, std::string> copied_;
-  std::set<std::string> taken_;
+  fs::path from_;
+  std::map<fs::path, std::string> names_;
+  std::set<std::string> taken_{"scene.xml"};
 };
+
+void make_folder(const fs::path& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error) throw InputError(folder.string(), "cannot be made: " + error.message());
+}
+
+/// Throws InputError if a file of another content would be lost.
+void check_nothing_is_lost(const fs::path& source, const fs::path& target) {
+  std::error_code error;
+  if (fs::exists(target, error) && !fs::equivalent(source, target, error))
+    throw InputError(target.string(), "already exists (--force overwrites it)");
+}
+
+void copy_whole(const fs::path& source, const fs::path& target) {
+  std::error_code error;
+  if (fs::equivalent(source, target, error)) return;
+  make_folder(target.parent_path());
+  replace_atomically(target, [&](const fs::path& temporary) {
+    fs::copy_file(source, temporary, fs::copy_options::overwrite_existing, error);
+    if (error) throw InputError(source.string(), "cannot be copied to " + target.string() + ": " + error.message());
+  });
+}
 
 int run_convert(const ConvertArguments& arguments) {
   const fs::path folder = arguments.folder, target = folder / "scene.xml";
   if (fs::exists(target) && !arguments.force)
     throw InputError(target.string(), "already exists (--force overwrites it)");
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error) throw InputError(folder.string(), "cannot be made: " + error.message());
-  SceneDescription scene = load_scene_into(arguments.scene, folder.string());
-  FileCopies copies(fs::path(scene.files.front()).parent_path(), folder);
-  visit_file_names(scene, [&](std::string& name) { copies.copy(name); });
+  // A model that cannot be read leaves nothing in the folder.
+  const ScratchFolder scratch("convert");
+  SceneDescription scene = load_scene_into(arguments.scene, scratch.path().string());
+  FileNames files(fs::path(scene.files.front()).parent_path());
+  visit_file_names(scene, [&](std::string& name) { files.gather(name); });
+  if (!arguments.force)
+    for (const auto& [source, name] : files.all()) check_nothing_is_lost(source, folder / name);
+  make_folder(folder);
+  for (const auto& [source, name] : files.all()) copy_whole(source, folder / name);
   write_file_atomically(target, write_scene(scene));
   std::printf("%s: shapes %zu, BSDFs %zu, files %zu\n", target.c_str(), scene.shapes.size(), scene.bsdfs.size(),
-              copies.count());
+              files.all().size());
   for (const SceneNote& note : scene.notes) std::printf("note: %s: %s\n", note.where.c_str(), note.text.c_str());
   return 0;
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "scenes/base/process.h"
+#include "scenes/files/atomic_file.h"
 #include "scenes/files/test_folder.h"
 #include "scenes/parser/parser.h"
 
@@ -132,8 +133,39 @@ TEST_F(ConvertVerb, refuses_models_that_are_damaged_or_empty) {
     const ProcessOutcome outcome = convert(file);
     EXPECT_EQ(outcome.exit_code, 2) << file << outcome.standard_output;
     EXPECT_EQ(outcome.standard_error.find(": error: "), outcome.standard_error.find(": ")) << outcome.standard_error;
-    EXPECT_FALSE(has("made/scene.xml")) << file;
+    EXPECT_FALSE(has("made")) << file << " left something";
   }
+}
+
+TEST_F(ConvertVerb, loses_no_file_that_another_program_left_there) {
+  put("m.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  std::filesystem::create_directories(folder_ / "made");
+  put("made/m.obj", "precious");
+  const ProcessOutcome outcome = convert("m.obj");
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_EQ(outcome.standard_error, "made/m.obj: error: already exists (--force overwrites it)\n");
+  EXPECT_EQ(read_file(folder_ / "made/m.obj"), "precious");
+  EXPECT_FALSE(has("made/scene.xml"));
+  EXPECT_EQ(convert("m.obj", {"--force"}).exit_code, 0);
+  EXPECT_EQ(made().shapes.size(), 1u);
+}
+
+TEST_F(ConvertVerb, gives_files_of_one_name_two_and_a_file_that_is_used_twice_one) {
+  std::filesystem::create_directories(folder_ / "in");
+  const auto mesh = [](const char* height) { return "v 0 0 0\nv 1 0 0\nv 0 " + std::string(height) + " 0\nf 1 2 3\n"; };
+  put("m.obj", mesh("1"));
+  put("in/m.obj", mesh("2"));
+  std::string shapes;
+  for (const char* name : {"m.obj", "../m.obj", "m.obj", "../m.obj"})
+    shapes += "<shape type='obj'><string name='filename' value='" + std::string(name) + "'/></shape>";
+  put("in/scene.xml",
+      "<scene version='3.0.0'><sensor type='perspective'/><emitter type='constant'/>" + shapes + "</scene>");
+  const ProcessOutcome outcome = convert("in/scene.xml", {"--allow-outside"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.standard_error;
+  EXPECT_NE(outcome.standard_output.find("files 2\n"), std::string::npos) << outcome.standard_output;
+  EXPECT_EQ(read_file(folder_ / "made/m.obj"), mesh("2"));
+  EXPECT_EQ(read_file(folder_ / "made/m-2.obj"), mesh("1"));
+  EXPECT_EQ(made().shapes.size(), 4u);
 }
 
 TEST_F(ConvertVerb, is_not_needed_to_render_a_model) {
