@@ -14,6 +14,7 @@
 #include "scenes/files/atomic_file.h"
 #include "scenes/meshes/ply.h"
 #include "scenes/models/model_materials.h"
+#include "scenes/models/obj_numbers.h"
 #include "scenes/xml/writer.h"
 
 namespace photonproof::inline scenes_models {
@@ -180,6 +181,7 @@ class ModelScene {
 
 std::vector<std::string> write_model_scene(const fs::path& model, const fs::path& folder) {
   Assimp::Importer importer;
+  importer.SetIOHandler(new ModelFiles);  // which the importer deletes
   const aiScene* scene = importer.ReadFile(
       model.string(), aiProcess_Triangulate | aiProcess_SortByPType | aiProcess_ValidateDataStructure);
   if (!scene || !scene->mRootNode) {

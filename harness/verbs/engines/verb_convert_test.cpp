@@ -78,6 +78,20 @@ TEST_F(ConvertVerb, gives_the_materials_of_an_obj) {
   EXPECT_EQ(found, 4);
 }
 
+TEST_F(ConvertVerb, reads_numbers_of_an_obj_that_begin_with_a_point) {
+  put("m.mtl", "newmtl a\nKd .5 .25 1.\n");
+  put("m.obj",
+      "mtllib m.mtl\r\nv\t.5 -.5 +.5\r\nv 1. .25e+1 0 .1 .2 .3\nv 0 1 .125\nvt .75 .5\nusemtl a\nf 1/1 2/1 3/1\n");
+  const ProcessOutcome outcome = convert("m.obj");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.standard_error;
+  const SceneDescription scene = made();
+  const TriangleMesh& mesh = *std::get<MeshDescription>(scene.shapes.at(0).geometry).mesh;
+  const std::vector<Vec3f> expected{{0.5f, -0.5f, 0.5f}, {1, 2.5f, 0}, {0, 1, 0.125f}};
+  ASSERT_EQ(mesh.positions.size(), expected.size());
+  for (std::size_t i = 0; i < expected.size(); ++i) EXPECT_EQ(length(mesh.positions[i] - expected[i]), 0) << i;
+  EXPECT_EQ(mesh.uvs.at(0).x, 0.75f);
+}
+
 TEST_F(ConvertVerb, gives_places_camera_light_and_metal_of_a_gltf) {
   put("m.gltf", kGltf);
   ASSERT_EQ(convert("m.gltf").exit_code, 0);
