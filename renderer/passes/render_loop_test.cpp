@@ -66,6 +66,24 @@ class Resume : public FolderTest {
     EXPECT_GE(stops, 3) << integrator;
     return last;
   }
+  static RenderJob job_of(const Integrator& row) {
+    RenderJob job = test::job_with(24, 30'000);
+    if (!row.heeds.photons) job.budget.photons.reset();
+    return job;
+  }
+  /// Expects the bits and counts of both to be the same, and returns those in parts.
+  Outcome whole_and_in_parts(const SceneDescription& scene, const std::string& integrator, RenderJob job,
+                             const std::string& name) const {
+    job.threads = 2;
+    const test::Rendered whole = test::render(scene, integrator.c_str(), job);
+    const Outcome parts = in_parts(scene, integrator, job, 2);
+    EXPECT_EQ(parts.image.mean.rgb, whole.image.mean.rgb) << name;
+    EXPECT_EQ(parts.image.variance->rgb, whole.image.variance->rgb) << name;
+    EXPECT_EQ(parts.image.metadata, whole.image.metadata) << name;  // the MeanError
+    for (const auto& [count, value] : whole.stats.counts)
+      EXPECT_EQ(parts.stats.counts.at(count), value) << name << " " << count;
+    return parts;
+  }
   std::string problem(const SceneDescription& description, const std::string& integrator, const RenderJob& job) const {
     try {
       part(description, integrator, job, true, -1);
@@ -79,50 +97,24 @@ class Resume : public FolderTest {
 };
 
 TEST_F(Resume, gives_the_bits_and_the_counts_of_a_render_never_stopped) {
-  const SceneDescription scene = test::room(48, true);
-  for (const Integrator& row : integrators()) {
-    RenderJob job = test::job_with(24, 30'000);
-    if (!row.heeds.photons) job.budget.photons.reset();
-    job.threads = 2;
-    const test::Rendered whole = test::render(scene, row.name, job);
-    const Outcome last = in_parts(scene, row.name, job, 2);
-    EXPECT_EQ(last.image.mean.rgb, whole.image.mean.rgb) << row.name;
-    EXPECT_EQ(last.image.variance->rgb, whole.image.variance->rgb) << row.name;
-    EXPECT_EQ(last.image.metadata, whole.image.metadata) << row.name;  // the MeanError
-    for (const auto& [name, count] : whole.stats.counts)
-      EXPECT_EQ(last.stats.counts.at(name), count) << row.name << " " << name;
-  }
+  for (const Integrator& row : integrators()) whole_and_in_parts(test::room(48, true), row.name, job_of(row), row.name);
 }
 
 TEST_F(Resume, of_samples_of_negative_lobes_gives_the_bits_and_the_counts_of_a_render_never_stopped) {
   SceneDescription scene = test::room(48, true);
   scene.sensor.film.filter = {.kind = ReconstructionFilter::Kind::lanczos};
-  for (const Integrator& row : integrators()) {
-    RenderJob job = test::job_with(24, 30'000);
-    if (!row.heeds.photons) job.budget.photons.reset();
-    job.threads = 2;
-    const test::Rendered whole = test::render(scene, row.name, job);
-    const Outcome last = in_parts(scene, row.name, job, 2);
-    EXPECT_EQ(last.image.mean.rgb, whole.image.mean.rgb) << row.name;
-    EXPECT_EQ(last.image.variance->rgb, whole.image.variance->rgb) << row.name;
-    for (const auto& [name, count] : whole.stats.counts)
-      EXPECT_EQ(last.stats.counts.at(name), count) << row.name << " " << name;
+  for (const Integrator& row : integrators())
     // m is 0.42, and 24 times m / (1 + m) is 7.1.
-    EXPECT_GE(last.stats.counts.at("negative_samples_per_pixel"), 8) << row.name;
-  }
+    EXPECT_GE(whole_and_in_parts(scene, row.name, job_of(row), row.name).stats.counts.at("negative_samples_per_pixel"),
+              8)
+        << row.name;
 }
 
 TEST_F(Resume, of_a_view_gives_the_bits_of_a_render_never_stopped) {
-  const SceneDescription scene = test::room(48, true);
   for (const Aov view : {Aov::caustics, Aov::photons, Aov::radius, Aov::samples}) {
     RenderJob job = test::job_with(24, 300'000);
     job.view = view;
-    const test::Rendered whole = test::render(scene, "photonmapper", job);
-    const Outcome last = in_parts(scene, "photonmapper", job, 2);
-    EXPECT_EQ(last.image.mean.rgb, whole.image.mean.rgb) << aov_row(view).name;
-    EXPECT_EQ(last.image.variance->rgb, whole.image.variance->rgb) << aov_row(view).name;
-    for (const auto& [name, count] : whole.stats.counts)
-      EXPECT_EQ(last.stats.counts.at(name), count) << aov_row(view).name << " " << name;
+    whole_and_in_parts(test::room(48, true), "photonmapper", job, aov_row(view).name);
   }
 }
 
