@@ -5,6 +5,7 @@
 #include <benchmark/benchmark.h>
 
 #include <map>
+#include <utility>
 
 #include "renderer/kernels/isa.h"
 #include "renderer/kernels/test_bench_scenes.h"
@@ -51,28 +52,34 @@ void path_tracer(benchmark::State& state, const std::string& name, const std::st
   state.SetItemsProcessed(static_cast<std::int64_t>(rays));
 }
 
-/// `packets`: camera rays go sixteen at a time, as neighbours. Others are quicker one by one.
+using Alone = Tracer::Alone;
+
+/// `packets`: rays go sixteen at a time, camera rays as neighbours.
 void rays_alone(benchmark::State& state, const std::string& name, bool packets) {
   const Scene& scene = bench::scene(name, true);
   const bench::RecordedRays& rays = rays_of(name, true);
+  const Alone how = packets ? Alone::as_packets : Alone::one_by_one;
   for (auto _ : state) {
-    benchmark::DoNotOptimize(scene.view().tracer->count_hits_alone(rays.camera, packets));
-    benchmark::DoNotOptimize(scene.view().tracer->count_hits_alone(rays.bounce, false));
-    benchmark::DoNotOptimize(scene.view().tracer->count_occluded_alone(rays.shadow));
+    benchmark::DoNotOptimize(
+        scene.view().tracer->count_hits_alone(rays.camera, packets ? Alone::as_neighbours : Alone::one_by_one));
+    benchmark::DoNotOptimize(scene.view().tracer->count_hits_alone(rays.bounce, how));
+    benchmark::DoNotOptimize(scene.view().tracer->count_occluded_alone(rays.shadow, how));
   }
   const std::size_t count = rays.count(rays.camera) + rays.count(rays.bounce) + rays.count(rays.shadow);
   state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(count));
 }
 
-enum class Kind { camera, camera_packets, bounce, bounce_packets, shadow };
+enum class Kind { camera, bounce, shadow };
 
-/// Queries as the kernels make them, through Embree.
+const std::vector<RayBlock>& blocks_of(const std::string& name, Kind kind) {
+  const bench::RecordedRays& rays = rays_of(name, true);
+  return kind == Kind::shadow ? rays.shadow : kind == Kind::camera ? rays.camera : rays.bounce;
+}
+
+/// Queries as the kernels make them, through Embree. Only camera rays are neighbours.
 void query(benchmark::State& state, const std::string& name, Kind kind) {
   const Scene& scene = bench::scene(name, true);
-  const bench::RecordedRays& rays = rays_of(name, true);
-  const bool camera = kind == Kind::camera || kind == Kind::camera_packets;
-  const bool packets = kind == Kind::camera_packets || kind == Kind::bounce_packets;
-  const std::vector<RayBlock>& blocks = kind == Kind::shadow ? rays.shadow : camera ? rays.camera : rays.bounce;
+  const std::vector<RayBlock>& blocks = blocks_of(name, kind);
   HitBlock hits;
   std::uint32_t blocked[RayBlock::width];
   for (auto _ : state) {
@@ -80,12 +87,22 @@ void query(benchmark::State& state, const std::string& name, Kind kind) {
       if (kind == Kind::shadow)
         scene.view().tracer->occluded(block, blocked);
       else
-        scene.view().tracer->intersect(block, hits, packets);
+        scene.view().tracer->intersect(block, hits, kind == Kind::camera);
       benchmark::DoNotOptimize(hits);
       benchmark::DoNotOptimize(blocked);
     }
   }
-  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(rays.count(blocks)));
+  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(rays_of(name, true).count(blocks)));
+}
+
+/// Rays of one kind through Embree alone.
+void kind_alone(benchmark::State& state, const std::string& name, Kind kind, Alone how) {
+  const Scene& scene = bench::scene(name, true);
+  const std::vector<RayBlock>& blocks = blocks_of(name, kind);
+  for (auto _ : state)
+    benchmark::DoNotOptimize(kind == Kind::shadow ? scene.view().tracer->count_occluded_alone(blocks, how)
+                                                  : scene.view().tracer->count_hits_alone(blocks, how));
+  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(rays_of(name, true).count(blocks)));
 }
 
 /// Path tracing among random parallelograms, through the packed kernel or through Embree: where they cross is
@@ -105,11 +122,16 @@ int register_all() {
     add("path_tracer/ours/" + scene, [scene](benchmark::State& s) { path_tracer(s, scene, "", false); });
     add("path_tracer/embree_alone/" + scene, [scene](benchmark::State& s) { rays_alone(s, scene, false); });
     add("path_tracer/embree_packets/" + scene, [scene](benchmark::State& s) { rays_alone(s, scene, true); });
-    add("rays/" + scene + "/camera/single", [scene](benchmark::State& s) { query(s, scene, Kind::camera); });
-    add("rays/" + scene + "/camera/packet", [scene](benchmark::State& s) { query(s, scene, Kind::camera_packets); });
-    add("rays/" + scene + "/bounce/single", [scene](benchmark::State& s) { query(s, scene, Kind::bounce); });
-    add("rays/" + scene + "/bounce/packet", [scene](benchmark::State& s) { query(s, scene, Kind::bounce_packets); });
-    add("rays/" + scene + "/shadow/single", [scene](benchmark::State& s) { query(s, scene, Kind::shadow); });
+    for (const auto& [what, kind] :
+         {std::pair{"camera", Kind::camera}, {"bounce", Kind::bounce}, {"shadow", Kind::shadow}}) {
+      const std::string rays = "rays/" + scene + "/" + what;
+      add(rays + "/ours", [scene, kind](benchmark::State& s) { query(s, scene, kind); });
+      for (const auto& [name, how] : {std::pair{"single", Alone::one_by_one},
+                                      {"packet", Alone::as_packets},
+                                      {"neighbours", Alone::as_neighbours}})
+        if (kind != Kind::shadow || how != Alone::as_neighbours)
+          add(rays + "/" + name, [scene, kind, how](benchmark::State& s) { kind_alone(s, scene, kind, how); });
+    }
   }
   add("path_tracer/ours/million:10000000", [](benchmark::State& s) { path_tracer(s, "million:10000000", "", false); });
   for (const Kernels& kernels : available_kernels()) {

@@ -47,7 +47,8 @@ bool Planner::decide(Skip skip, bool possible, const std::string& why, const std
 
 void Planner::batches() {
   list(bvh_);
-  run("rays", bvh_.skipped ? "packed kernel over all primitives" : "Embree, camera rays in packets, others one by one");
+  run("rays", bvh_.skipped ? "packed kernel over all primitives"
+                           : "Embree, in packets from the camera and among flat faces, others one by one");
   list(bsdf_groups_);
   list(surface_detail_);
 }

@@ -11,8 +11,9 @@
 
 #include "renderer/rays/embree.h"
 #include "renderer/rays/embree_curves.h"
+#include "renderer/rays/embree_queries.h"
+#include "renderer/rays/mesh_hits.h"
 #include "renderer/rays/trace_tables.h"
-#include "renderer/shapes/face_normal.h"
 #include "scenes/base/thread_handoff.h"
 
 namespace photonproof::inline renderer_rays {
@@ -93,94 +94,6 @@ void occluded_callback(const RTCOccludedFunctionNArguments* args) {
   }
 }
 
-/// The lanes with a ray that can be traced: Debian's Embree does not ignore invalid rays, so they are filtered here.
-std::uint32_t traceable(const RayBlock& rays) {
-  std::uint32_t lanes = 0;
-  for (std::uint32_t bits = rays.active; bits != 0; bits &= bits - 1) {
-    const auto i = static_cast<std::size_t>(std::countr_zero(bits));
-    const float sum = rays.origin_x[i] + rays.origin_y[i] + rays.origin_z[i] + rays.direction_x[i] +
-                      rays.direction_y[i] + rays.direction_z[i];
-    if (std::isfinite(sum)) lanes |= 1u << i;
-  }
-  return lanes;
-}
-
-RTCRay ray_of_lane(const RayBlock& rays, std::size_t i, float t_far) {
-  return {.org_x = rays.origin_x[i],
-          .org_y = rays.origin_y[i],
-          .org_z = rays.origin_z[i],
-          .tnear = 0,
-          .dir_x = rays.direction_x[i],
-          .dir_y = rays.direction_y[i],
-          .dir_z = rays.direction_z[i],
-          .time = 0,
-          .tfar = t_far,
-          .mask = 0xFFFFFFFFu,
-          .id = rays.light[i],
-          .flags = 0};
-}
-
-void intersect_one(RTCScene scene, RTCRayHit& query) {
-#ifdef PHOTONPROOF_EMBREE4
-  rtcIntersect1(scene, &query, nullptr);
-#else
-  RTCIntersectContext context{};
-  rtcInitIntersectContext(&context);
-  rtcIntersect1(scene, &context, &query);
-#endif
-}
-
-bool is_occluded(RTCScene scene, RTCRay query) {
-#ifdef PHOTONPROOF_EMBREE4
-  rtcOccluded1(scene, &query, nullptr);
-#else
-  RTCIntersectContext context{};
-  rtcInitIntersectContext(&context);
-  rtcOccluded1(scene, &context, &query);
-#endif
-  return query.tfar < 0;
-}
-
-struct RayPacket {
-  RTCRayHit16 query{};
-  alignas(64) int valid[16];  // as Embree's packets are: it may load it with aligned instructions
-};
-
-RayPacket packet_of(const RayBlock& rays, std::uint32_t lanes) {
-  RayPacket packet;
-  RTCRayHit16& query = packet.query;
-  for (std::size_t i = 0; i < 16; ++i) {
-    packet.valid[i] = (lanes >> i & 1u) != 0 ? -1 : 0;
-    if (packet.valid[i] == 0) continue;
-    query.ray.org_x[i] = rays.origin_x[i];
-    query.ray.org_y[i] = rays.origin_y[i];
-    query.ray.org_z[i] = rays.origin_z[i];
-    query.ray.tnear[i] = 0;
-    query.ray.dir_x[i] = rays.direction_x[i];
-    query.ray.dir_y[i] = rays.direction_y[i];
-    query.ray.dir_z[i] = rays.direction_z[i];
-    query.ray.time[i] = 0;
-    query.ray.tfar[i] = std::numeric_limits<float>::infinity();
-    query.ray.mask[i] = 0xFFFFFFFFu;
-    query.ray.id[i] = rays.light[i];
-    query.ray.flags[i] = 0;
-    query.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
-    query.hit.instID[0][i] = RTC_INVALID_GEOMETRY_ID;
-  }
-  return packet;
-}
-
-void intersect_packet(RTCScene scene, RayPacket& packet) {
-#ifdef PHOTONPROOF_EMBREE4
-  rtcIntersect16(packet.valid, scene, &packet.query, nullptr);
-#else
-  RTCIntersectContext context{};
-  rtcInitIntersectContext(&context);
-  context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
-  rtcIntersect16(packet.valid, scene, &context, &packet.query);
-#endif
-}
-
 bool count_bytes(void* total, ssize_t bytes, bool) {
   *static_cast<std::atomic<std::int64_t>*>(total) += bytes;
   return true;
@@ -199,6 +112,8 @@ struct Tracer::Impl {
   std::vector<RTCScene> groups;  ///< hierarchies, built once for all instances
   RTCDevice device = nullptr;
   RTCScene scene = nullptr;
+  PacketWidths widths;
+  bool packets_pay = false;
   std::atomic<std::int64_t> bytes{0};
 
   explicit Impl(const std::vector<Surface>& surfaces) : tables(surfaces) {}
@@ -221,10 +136,21 @@ struct Tracer::Impl {
   void attach_instance(const PlacedGroup& instance, unsigned id);
 
   unsigned first_instance() const { return first_mesh + static_cast<unsigned>(tables.meshes.shapes.size()); }
+  bool is_mesh(unsigned instance, unsigned geometry) const {
+    return instance == RTC_INVALID_GEOMETRY_ID && geometry >= first_mesh && geometry < first_instance();
+  }
+  /// Whether the rays go together. A ray ends at the same bits in a packet as alone, except on curves. Packets are
+  /// slower among balls and other shapes that Embree does not have.
+  bool takes_packets(std::uint32_t lanes, bool coherent) const {
+    return lanes != 0 && !std::has_single_bit(lanes) && widths.any() && (coherent || packets_pay);
+  }
+  std::uint32_t occlude_packets(const RayBlock& rays, std::uint32_t lanes) const;
   /// The plane that the ray meets first before its end, which moves there; no_index if none.
   std::uint32_t meet_planes(RTCRay& ray) const;
   SurfacePoint locate(unsigned instance, unsigned geometry, unsigned primitive, float u, float v,
                       const Vec3d& near) const;
+  /// Writes the lane's end, which may be on a plane.
+  void locate(const RayBlock& rays, const BlockEnds& ends, std::size_t lane, std::uint32_t plane, HitBlock& hits) const;
 };
 
 RTCScene Tracer::Impl::new_scene() const {
@@ -335,16 +261,13 @@ std::uint32_t Tracer::Impl::meet_planes(RTCRay& ray) const {
 
 SurfacePoint Tracer::Impl::locate(unsigned instance, unsigned geometry, unsigned primitive, float u, float v,
                                   const Vec3d& near) const {
-  const auto on_triangle = [&](const Mesh& mesh, std::uint32_t surface) -> SurfacePoint {
-    const Vec3f corner = mesh.corner(primitive, 0);
-    const Vec3f edge_u = mesh.corner(primitive, 1) - corner;
-    const Vec3f edge_v = mesh.corner(primitive, 2) - corner;
-    const Vec3f normal = face_normal(edge_u, edge_v);
-    return {corner + edge_u * u + edge_v * v, mesh.inward ? -normal : normal, surface, primitive};
+  const auto on_mesh = [&](const Mesh& mesh, std::uint32_t surface) -> SurfacePoint {
+    const OnTriangle at = on_triangle(mesh, primitive, u, v);
+    return {at.p, at.normal, surface, primitive};
   };
   if (instance != RTC_INVALID_GEOMETRY_ID) {
     const PlacedGroup& copy = tables.instances[instance - first_instance()];
-    SurfacePoint point = on_triangle(*tables.groups[copy.group].parts[geometry], copy.surface[geometry]);
+    SurfacePoint point = on_mesh(*tables.groups[copy.group].parts[geometry], copy.surface[geometry]);
     point.p = copy.placement->point(point.p);
     point.normal = normalize(copy.placement->normal(point.normal));
     return point;
@@ -354,7 +277,7 @@ SurfacePoint Tracer::Impl::locate(unsigned instance, unsigned geometry, unsigned
     return {quad.corner + quad.edge_u * u + quad.edge_v * v, quad.normal, tables.quads.surface[primitive]};
   }
   if (geometry >= first_mesh)
-    return on_triangle(*tables.meshes.shapes[geometry - first_mesh], tables.meshes.surface[geometry - first_mesh]);
+    return on_mesh(*tables.meshes.shapes[geometry - first_mesh], tables.meshes.surface[geometry - first_mesh]);
   if (geometry >= first_curves) {
     const CurveTable::Owner& owner = tables.curves[geometry - first_curves].owner_of(primitive);
     const ShapePoint point = point_on(*owner.curves, primitive - owner.first, double{u}, near);
@@ -371,11 +294,43 @@ SurfacePoint Tracer::Impl::locate(unsigned instance, unsigned geometry, unsigned
   return found;
 }
 
+void Tracer::Impl::locate(const RayBlock& rays, const BlockEnds& ends, std::size_t i, std::uint32_t plane,
+                          HitBlock& hits) const {
+  const unsigned geometry = ends.geometry[i];
+  if (geometry == RTC_INVALID_GEOMETRY_ID && plane == no_index) return;
+  const Vec3d near = Vec3d{rays.origin_x[i], rays.origin_y[i], rays.origin_z[i]} +
+                     Vec3d{rays.direction_x[i], rays.direction_y[i], rays.direction_z[i]} * double{ends.t[i]};
+  SurfacePoint point;
+  if (geometry != RTC_INVALID_GEOMETRY_ID) {
+    point = locate(ends.instance[i], geometry, ends.primitive[i], ends.u[i], ends.v[i], near);
+  } else {
+    const ShapePoint on_plane = point_on(*tables.planes.shapes[plane], near);
+    point = {on_plane.p, on_plane.normal, tables.planes.surface[plane]};
+  }
+  hits.p_x[i] = point.p.x;
+  hits.p_y[i] = point.p.y;
+  hits.p_z[i] = point.p.z;
+  hits.normal_x[i] = point.normal.x;
+  hits.normal_y[i] = point.normal.y;
+  hits.normal_z[i] = point.normal.z;
+  hits.surface[i] = point.surface;
+  hits.primitive[i] = point.primitive;
+}
+
+std::uint32_t Tracer::Impl::occlude_packets(const RayBlock& rays, std::uint32_t lanes) const {
+  float t_far[RayBlock::width];
+  std::fill_n(t_far, RayBlock::width, segment_end);
+  return widths.visit_for(
+      lanes, [&]<std::size_t n>() { return renderer_rays::occlude_packets<n>(scene, rays, lanes, t_far); });
+}
+
 Tracer::Tracer(const std::vector<Surface>& surfaces) : impl_(std::make_unique<Impl>(surfaces)) {
   TraceTables& tables = impl_->tables;
   impl_->device = rtcNewDevice(nullptr);
   if (impl_->device == nullptr) fail(rtcGetDeviceError(nullptr), "opening the device");
   rtcSetDeviceMemoryMonitorFunction(impl_->device, count_bytes, &impl_->bytes);
+  impl_->widths = PacketWidths(impl_->device);
+  impl_->packets_pay = tables.is_flat();
   impl_->scene = impl_->new_scene();
   impl_->attach_quads();
   for_each_solved(tables.solved, [&](auto& table, unsigned id) { impl_->attach_shapes(table, id); });
@@ -401,95 +356,79 @@ std::size_t Tracer::bvh_bytes() const { return static_cast<std::size_t>(std::max
 void Tracer::intersect(const RayBlock& rays, HitBlock& hits, bool coherent) const {
   const std::uint32_t lanes = traceable(rays);
   std::fill_n(hits.surface, RayBlock::width, no_index);
-  const bool planes = !impl_->tables.planes.shapes.empty();
-  const auto store = [&](std::size_t i, std::uint32_t plane, const RTCHit& hit, float t) {
-    if (hit.geomID == RTC_INVALID_GEOMETRY_ID && plane == no_index) return;
-    const Vec3d near = Vec3d{rays.origin_x[i], rays.origin_y[i], rays.origin_z[i]} +
-                       Vec3d{rays.direction_x[i], rays.direction_y[i], rays.direction_z[i]} * double{t};
-    SurfacePoint point;
-    if (hit.geomID != RTC_INVALID_GEOMETRY_ID) {
-      point = impl_->locate(hit.instID[0], hit.geomID, hit.primID, hit.u, hit.v, near);
-    } else {
-      const ShapePoint on_plane = point_on(*impl_->tables.planes.shapes[plane], near);
-      point = {on_plane.p, on_plane.normal, impl_->tables.planes.surface[plane]};
+  if (lanes == 0) return;
+  BlockEnds ends;
+  std::fill_n(ends.t, RayBlock::width, std::numeric_limits<float>::infinity());
+  std::uint32_t plane[RayBlock::width];
+  std::fill_n(plane, RayBlock::width, no_index);
+  for_each_lane(impl_->tables.planes.shapes.empty() ? 0 : lanes, [&](std::size_t i) {
+    RTCRay ray = ray_of_lane(rays, i, ends.t[i]);
+    plane[i] = impl_->meet_planes(ray);
+    ends.t[i] = ray.tfar;
+  });
+  if (impl_->takes_packets(lanes, coherent))
+    impl_->widths.visit_for(lanes,
+                            [&]<std::size_t n>() { intersect_packets<n>(impl_->scene, rays, lanes, coherent, ends); });
+  else
+    for_each_lane(lanes, [&](std::size_t i) { intersect_one(impl_->scene, rays, i, ends); });
+
+  MeshHits on_meshes;
+  std::uint32_t others = 0;
+  for_each_lane(lanes, [&](std::size_t i) {
+    const unsigned geometry = ends.geometry[i];
+    if (!impl_->is_mesh(ends.instance[i], geometry)) {
+      others |= 1u << i;
+      return;
     }
-    hits.p_x[i] = point.p.x;
-    hits.p_y[i] = point.p.y;
-    hits.p_z[i] = point.p.z;
-    hits.normal_x[i] = point.normal.x;
-    hits.normal_y[i] = point.normal.y;
-    hits.normal_z[i] = point.normal.z;
-    hits.surface[i] = point.surface;
-    hits.primitive[i] = point.primitive;
-  };
-  if (coherent && std::popcount(lanes) > 1) {
-    RayPacket packet = packet_of(rays, lanes);
-    RTCRayHit16& query = packet.query;
-    std::uint32_t plane[16];
-    std::fill_n(plane, 16, no_index);
-    for (std::size_t i = 0; planes && i < 16; ++i) {
-      if (packet.valid[i] == 0) continue;
-      RTCRay ray = ray_of_lane(rays, i, std::numeric_limits<float>::infinity());
-      plane[i] = impl_->meet_planes(ray);
-      query.ray.tfar[i] = ray.tfar;
-    }
-    intersect_packet(impl_->scene, packet);
-    for (std::size_t i = 0; i < 16; ++i)
-      if (packet.valid[i] != 0)
-        store(i, plane[i], rtcGetHitFromHitN(reinterpret_cast<RTCHitN*>(&query.hit), 16, static_cast<unsigned>(i)),
-              query.ray.tfar[i]);
-    return;
-  }
-  for (std::uint32_t bits = lanes; bits != 0; bits &= bits - 1) {
-    const auto i = static_cast<std::size_t>(std::countr_zero(bits));
-    RTCRayHit query{};
-    query.ray = ray_of_lane(rays, i, std::numeric_limits<float>::infinity());
-    query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-    query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
-    const std::uint32_t plane = planes ? impl_->meet_planes(query.ray) : no_index;
-    intersect_one(impl_->scene, query);
-    store(i, plane, query.hit, query.ray.tfar);
-  }
+    on_meshes.add(i, *impl_->tables.meshes.shapes[geometry - first_mesh], ends.primitive[i]);
+    hits.surface[i] = impl_->tables.meshes.surface[geometry - first_mesh];
+    hits.primitive[i] = ends.primitive[i];
+  });
+  on_meshes.locate(ends.u, ends.v, hits);  // before the others: it overwrites their lanes
+  for_each_lane(others, [&](std::size_t i) { impl_->locate(rays, ends, i, plane[i], hits); });
 }
 
 void Tracer::occluded(const RayBlock& rays, std::uint32_t* blocked) const {
-  std::fill_n(blocked, RayBlock::width, 0u);
-  const bool planes = !impl_->tables.planes.shapes.empty();
-  for (std::uint32_t bits = traceable(rays); bits != 0; bits &= bits - 1) {
-    const auto i = static_cast<std::size_t>(std::countr_zero(bits));
+  const std::uint32_t lanes = traceable(rays);
+  std::uint32_t hidden = 0;
+  for_each_lane(impl_->tables.planes.shapes.empty() ? 0 : lanes, [&](std::size_t i) {
     RTCRay ray = ray_of_lane(rays, i, segment_end);
-    blocked[i] = (planes && impl_->meet_planes(ray) != no_index) || is_occluded(impl_->scene, ray) ? 1 : 0;
-  }
+    if (impl_->meet_planes(ray) != no_index) hidden |= 1u << i;
+  });
+  const std::uint32_t open = lanes & ~hidden;
+  if (impl_->takes_packets(open, false))
+    hidden |= impl_->occlude_packets(rays, open);
+  else
+    for_each_lane(open, [&](std::size_t i) { hidden |= is_occluded(impl_->scene, rays, i) ? 1u << i : 0; });
+  for (std::size_t i = 0; i < RayBlock::width; ++i) blocked[i] = hidden >> i & 1u;
 }
 
-std::size_t Tracer::count_hits_alone(const std::vector<RayBlock>& rays, bool packets) const {
+std::size_t Tracer::count_hits_alone(const std::vector<RayBlock>& rays, Alone how) const {
+  const bool packets = how != Alone::one_by_one && impl_->widths.any();
   std::size_t hits = 0;
+  BlockEnds ends;
   for (const RayBlock& block : rays) {
-    if (packets) {
-      RayPacket packet = packet_of(block, block.active);
-      intersect_packet(impl_->scene, packet);
-      for (std::size_t i = 0; i < 16; ++i)
-        if (packet.valid[i] != 0 && packet.query.hit.geomID[i] != RTC_INVALID_GEOMETRY_ID) ++hits;
-      continue;
-    }
-    for (std::uint32_t bits = block.active; bits != 0; bits &= bits - 1) {
-      RTCRayHit query{};
-      query.ray =
-          ray_of_lane(block, static_cast<std::size_t>(std::countr_zero(bits)), std::numeric_limits<float>::infinity());
-      query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-      intersect_one(impl_->scene, query);
-      if (query.hit.geomID != RTC_INVALID_GEOMETRY_ID) ++hits;
-    }
+    std::fill_n(ends.t, RayBlock::width, std::numeric_limits<float>::infinity());
+    if (packets)
+      impl_->widths.visit_for(block.active, [&]<std::size_t n>() {
+        intersect_packets<n>(impl_->scene, block, block.active, how == Alone::as_neighbours, ends);
+      });
+    else
+      for_each_lane(block.active, [&](std::size_t i) { intersect_one(impl_->scene, block, i, ends); });
+    for_each_lane(block.active, [&](std::size_t i) { hits += ends.geometry[i] != RTC_INVALID_GEOMETRY_ID ? 1 : 0; });
   }
   return hits;
 }
 
-std::size_t Tracer::count_occluded_alone(const std::vector<RayBlock>& rays) const {
+std::size_t Tracer::count_occluded_alone(const std::vector<RayBlock>& rays, Alone how) const {
+  const bool packets = how != Alone::one_by_one && impl_->widths.any();
   std::size_t hits = 0;
-  for (const RayBlock& block : rays)
-    for (std::uint32_t bits = block.active; bits != 0; bits &= bits - 1)
-      if (is_occluded(impl_->scene, ray_of_lane(block, static_cast<std::size_t>(std::countr_zero(bits)), segment_end)))
-        ++hits;
+  for (const RayBlock& block : rays) {
+    if (packets)
+      hits += static_cast<std::size_t>(std::popcount(impl_->occlude_packets(block, block.active)));
+    else
+      for_each_lane(block.active, [&](std::size_t i) { hits += is_occluded(impl_->scene, block, i) ? 1 : 0; });
+  }
   return hits;
 }
 

@@ -39,7 +39,7 @@ class Tracer {
   Tracer& operator=(const Tracer&) = delete;
 
   /// Closest surfaces, t >= 0. A ray with a non-finite component hits nothing. `coherent`: the rays are neighbours from
-  /// one point and traverse the BVH together; others traverse it singly, which measures faster (rays_bench.cpp).
+  /// one point. Rays traverse the BVH as packets and end where they would alone; among curves only coherent ones do.
   void intersect(const RayBlock& rays, HitBlock& hits, bool coherent) const;
   /// blocked[i] = 1 where a surface lies on the segment from the origin to origin + direction, else 0.
   void occluded(const RayBlock& rays, std::uint32_t* blocked) const;
@@ -47,10 +47,12 @@ class Tracer {
   /// Bytes that Embree holds, as it reports them.
   std::size_t bvh_bytes() const;
 
-  /// Calls only rtcIntersect1 or rtcOccluded1 for every active lane, or rtcIntersect16 for a block: the baseline of the
-  /// benches. Returns the number of rays that hit something.
-  std::size_t count_hits_alone(const std::vector<RayBlock>& rays, bool packets) const;
-  std::size_t count_occluded_alone(const std::vector<RayBlock>& rays) const;
+  /// How Embree's own queries trace the rays of a block.
+  enum class Alone { one_by_one, as_packets, as_neighbours };
+  /// Calls only Embree's queries for the active lanes: the baseline of the benches. Returns the number of rays that hit
+  /// something.
+  std::size_t count_hits_alone(const std::vector<RayBlock>& rays, Alone how) const;
+  std::size_t count_occluded_alone(const std::vector<RayBlock>& rays, Alone how) const;
 
  private:
   struct Impl;

@@ -55,4 +55,14 @@ void TraceTables::add(const MeshInstance& copy, std::uint32_t surface) {
   instance.surface[copy.part] = surface;
 }
 
+bool TraceTables::is_flat() const {
+  if (!curves[0].segments.empty() || !curves[1].segments.empty()) return false;
+  std::size_t faces = quads.shapes.size();
+  for (const Mesh* mesh : meshes.shapes) faces += mesh->triangle_count();
+  for (const PlacedGroup& instance : instances)
+    for (const Mesh* part : groups[instance.group].parts) faces += part->triangle_count();
+  const std::size_t others = std::apply([](const auto&... table) { return (table.shapes.size() + ...); }, solved);
+  return faces >= 10 * others;
+}
+
 }  // namespace photonproof::inline renderer_rays

@@ -62,6 +62,8 @@ struct TraceTables {
 
   explicit TraceTables(const std::vector<Surface>& surfaces);
   void add(const MeshInstance& copy, std::uint32_t surface);
+  /// Whether there are no curves, and at least ten flat faces for each shape that Embree does not have.
+  bool is_flat() const;
 };
 
 }  // namespace photonproof::inline renderer_rays
