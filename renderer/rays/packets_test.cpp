@@ -166,6 +166,19 @@ TEST(packets, are_hidden_where_their_rays_are_alone) {
   EXPECT_GT(open, 5000);
 }
 
+TEST(packets, are_hidden_by_a_plane_that_they_cross) {
+  std::vector<Surface> surfaces{{Plane{{0, -2, 0}, {0, 1, 0}}}};
+  surfaces.resize(11, quad({50, 50, 50}, {1, 0, 0}, {0, 0, 1}));  // enough faces for packets
+  const Tracer tracer(surfaces);
+  RayBlock rays{};
+  rays.active = 0xFFFF;
+  for (std::size_t lane = 0; lane < RayBlock::width; ++lane)
+    set_ray(rays, lane, {0, 0, 0}, {1, lane % 3 == 0 ? -3.0f : -1.0f, 0});
+  std::uint32_t hidden[RayBlock::width];
+  tracer.occluded(rays, hidden);
+  for (std::size_t lane = 0; lane < RayBlock::width; ++lane) EXPECT_EQ(hidden[lane], lane % 3 == 0 ? 1u : 0u) << lane;
+}
+
 TEST(packets, end_before_the_light_that_they_name) {
   // Both ways between a point below a round light and its surface: only the lane that names the light passes.
   std::vector<Surface> surfaces{{Sphere{{0, 1e4 + 12, 0}, 1e4, false}}};
