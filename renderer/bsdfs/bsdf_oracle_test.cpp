@@ -14,7 +14,6 @@
 
 #include "renderer/bsdfs/test_albedo.h"
 #include "renderer/integrators/test_scenes.h"
-#include "scenes/description/conductor_ior.h"
 #include "scenes/description/named_ior.h"
 #include "scenes/parser/parser.h"
 

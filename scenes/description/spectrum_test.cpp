@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "scenes/description/conductor_ior.h"
+#include "scenes/description/named_ior.h"
 
 namespace photonproof::inline scenes_description {
 namespace {

@@ -1,5 +1,4 @@
 // Mitsuba 3's BSDFs, and the extensions phong and layered: rules that a description alone does not state.
-#include "scenes/description/conductor_ior.h"
 #include "scenes/description/description.h"
 #include "scenes/description/named_ior.h"
 #include "scenes/parser/plugin_reader.h"

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "scenes/base/text_numbers.h"
-#include "scenes/description/conductor_ior.h"
+#include "scenes/description/named_ior.h"
 #include "scenes/images/image.h"
 
 namespace photonproof::inline scenes_pbrt {

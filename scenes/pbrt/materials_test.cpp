@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "scenes/description/conductor_ior.h"
+#include "scenes/description/named_ior.h"
 #include "scenes/images/image.h"
 #include "scenes/pbrt/test_pbrt.h"
 

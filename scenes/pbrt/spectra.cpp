@@ -5,7 +5,7 @@
 #include <map>
 
 #include "scenes/base/text_numbers.h"
-#include "scenes/description/conductor_ior.h"
+#include "scenes/description/named_ior.h"
 #include "scenes/files/atomic_file.h"
 
 namespace photonproof::inline scenes_pbrt {
