@@ -4,6 +4,7 @@
 
 #include "harness/variants/motions.h"
 #include "scenes/description/overloaded.h"
+#include "scenes/description/scene_volumes.h"
 
 namespace photonproof::inline harness_stress {
 namespace {
@@ -66,12 +67,9 @@ SceneDescription in_another_unit(SceneDescription scene, double by) {
   for (ShapeDescription& shape : scene.shapes) shape.to_world = scale * shape.to_world;
   for (EmitterDescription& emitter : scene.emitters) scale_light(emitter, scale, by);
   for (BsdfDescription& bsdf : scene.bsdfs) scale_bsdf(bsdf, by);
-  for (MediumDescription& medium : scene.media) {
+  for (MediumDescription& medium : scene.media)
     std::visit([&](auto& model) { model.scale /= by; }, medium.model);
-    for (GridVolumeDescription* volume : volumes_of(medium)) volume->to_world = scale * volume->to_world;
-    for (ConstantVolumeDescription* volume : volumes_of_kind<ConstantVolumeDescription>(medium))
-      volume->to_world = scale * volume->to_world;
-  }
+  visit_volumes(scene, [&](auto& volume) { volume.to_world = scale * volume.to_world; });
   scale_camera(scene.sensor, scale, by);
   if (auto* photons = std::get_if<PhotonMapperDescription>(&scene.integrator.method)) {
     photons->global_radius *= by;

@@ -32,6 +32,7 @@ struct PluginColours {
   void volume(const char*, VolumeColour& v, const scene_xml::Range&, const char*) {
     if (RgbD* colour = constant_of(v); colour != nullptr && !emissions_only) set(*colour);
   }
+  void volume_number(const char*, const VolumeNumber&, const scene_xml::Range&, const char*) {}
   void metal(std::optional<ComplexIor>& ior) {
     if (!ior || emissions_only) return;
     set(ior->eta);
@@ -96,6 +97,9 @@ void change_all_colours(SceneDescription& scene, const ColourChange& change) {
       in_a_file(scene, texture.loc, "the colours of a bitmap stand in its file");
     if (std::holds_alternative<MeshAttributeDescription>(texture.pattern))
       in_a_file(scene, texture.loc, "the colours of a mesh stand in its file");
+    if (const auto* volume = std::get_if<VolumeTextureDescription>(&texture.pattern))
+      if (constant_of(volume->volume) == nullptr)
+        in_a_file(scene, texture.loc, "the colours of a volume stand in its file");
     std::visit([&](auto& pattern) { describe(colours, pattern); }, texture.pattern);
   }
   for (BsdfDescription& bsdf : scene.bsdfs) std::visit([&](auto& model) { describe(colours, model); }, bsdf.model);

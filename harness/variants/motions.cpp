@@ -4,6 +4,7 @@
 #include <variant>
 
 #include "scenes/description/overloaded.h"
+#include "scenes/description/scene_volumes.h"
 
 namespace photonproof::inline harness_variants {
 namespace {
@@ -33,6 +34,7 @@ Transform mirror_of_itself(const ShapeDescription& shape) {
 void move_everything(SceneDescription& scene, const Transform& motion) {
   for (ShapeDescription& shape : scene.shapes) shape.to_world = motion * shape.to_world;
   for (EmitterDescription& emitter : scene.emitters) move_light(emitter, motion);
+  visit_volumes(scene, [&](auto& volume) { volume.to_world = motion * volume.to_world; });
   scene.sensor.to_world = motion * scene.sensor.to_world;
 }
 
@@ -53,6 +55,7 @@ void mirror_in_view(SceneDescription& scene) {
     if (!even) throw InputError(scene.where(emitter.loc), "a light of this kind cannot be mirrored");
     move_light(emitter, mirror);
   }
+  visit_volumes(scene, [&](auto& volume) { volume.to_world = mirror * volume.to_world; });
 }
 
 }  // namespace photonproof::inline harness_variants

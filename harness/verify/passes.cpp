@@ -33,6 +33,10 @@ RgbD mean_of(const SceneDescription& scene, const Colour& colour) {
                                },
                                // Every mesh has other values, from 0 to 1.
                                [](const MeshAttributeDescription&) { return RgbD(0.5); },
+                               [](const VolumeTextureDescription& volume) {
+                                 const RgbD* everywhere = constant_of(volume.volume);
+                                 return everywhere != nullptr ? *everywhere : most(volume.volume) * 0.5;
+                               },
                                [&](const ScaledTextureDescription& scaled) {
                                  return mean_of(scene, Colour(scaled.texture)) * scaled.scale;
                                }},

@@ -182,7 +182,7 @@ class Kinds {
     for (const TextureDescription& texture : scene.textures)
       std::visit(Overloaded{[&](const CheckerboardDescription&) { add("checkerboard"); },
                             [&](const BitmapDescription&) { add("bitmap"); }, [](const MeshAttributeDescription&) {},
-                            [](const ScaledTextureDescription&) {}},
+                            [](const ScaledTextureDescription&) {}, [](const VolumeTextureDescription&) {}},
                  texture.pattern);
     std::visit(Overloaded{[&](const PerspectiveDescription&) { add("perspective camera"); },
                           [&](const ThinLensDescription&) { add("thin lens"); },
@@ -193,8 +193,7 @@ class Kinds {
       if (medium.varies())
         add("varying medium");
       else
-        add(max_component(std::get<HomogeneousDescription>(medium.model).albedo) > 0 ? "scattering medium"
-                                                                                     : "absorbing medium");
+        add(max_component(bounds_of(medium).scattering) > 0 ? "scattering medium" : "absorbing medium");
     }
   }
   std::vector<std::string> names() const { return {names_.begin(), names_.end()}; }

@@ -165,6 +165,9 @@ std::string colour_py(CyclesScript& script, const Colour& colour) {
                                [&](const MeshAttributeDescription&) -> std::string {
                                  script.refuse(texture.loc, "an attribute of a mesh: not written yet");
                                },
+                               [&](const VolumeTextureDescription&) -> std::string {
+                                 script.refuse(texture.loc, "a volume as a texture: not written yet");
+                               },
                                [&](const ScaledTextureDescription&) -> std::string {
                                  script.refuse(texture.loc, "a scaled texture: not written yet");
                                }},
@@ -176,7 +179,10 @@ std::string medium_py(const CyclesScript& script, MediumIndex index) {
   if (described.varies())
     script.refuse(described.loc, "a medium that varies: the export writes homogeneous media alone");
   const auto& medium = std::get<HomogeneousDescription>(described.model);
-  const RgbD extinction = medium.sigma_t * medium.scale, scattering = extinction * medium.albedo;
+  const RgbD* albedo = constant_of(medium.albedo);
+  if (albedo == nullptr)
+    script.refuse(described.loc, "an albedo that varies: the export writes homogeneous media alone");
+  const RgbD extinction = medium.sigma_t * medium.scale, scattering = extinction * *albedo;
   const auto* lobe = std::get_if<HenyeyGreensteinDescription>(&medium.phase);
   if (lobe == nullptr && !std::holds_alternative<IsotropicDescription>(medium.phase))
     script.refuse(described.loc, "a phase function other than isotropic and hg: the export writes those two alone");

@@ -36,6 +36,10 @@ ColourRange range_of(const SceneDescription& scene, const MeshAttributeDescripti
   throw Unrepresentable(scene.where(loc), "an attribute of a mesh: not written yet");
 }
 
+ColourRange range_of(const SceneDescription& scene, const VolumeTextureDescription&, const SourceLoc& loc) {
+  throw Unrepresentable(scene.where(loc), "a volume as a texture: not written yet");
+}
+
 ColourRange range_of(const SceneDescription& scene, const ScaledTextureDescription&, const SourceLoc& loc) {
   throw Unrepresentable(scene.where(loc), "a scaled texture: not written yet");
 }

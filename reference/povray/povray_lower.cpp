@@ -210,7 +210,7 @@ class Lowering {
       throw Unrepresentable(description.where(shape.loc),
                             "a medium that varies: the export writes homogeneous media alone");
     const auto& medium = std::get<HomogeneousDescription>(described.model);
-    if (max_component(medium.albedo * medium.sigma_t) > 0)
+    if (max_component(bounds_of(described).scattering) > 0)
       throw Unrepresentable(description.where(shape.loc),
                             "a medium that scatters: POV-Ray scatters light once at most; one that only absorbs can be "
                             "written");

@@ -32,9 +32,7 @@ std::vector<bool> media_in_use(const SceneDescription& description) {
 }
 
 bool scatters(const MediumDescription& medium) {
-  if (const auto* cloud = std::get_if<HeterogeneousDescription>(&medium.model))
-    return max_component(most(cloud->albedo)) > 0;
-  return max_component(std::get<HomogeneousDescription>(medium.model).albedo) > 0;
+  return std::visit([](const auto& model) { return max_component(most(model.albedo)) > 0; }, medium.model);
 }
 
 /// Whether mirrors or glass may reflect or refract light that no camera path finds.

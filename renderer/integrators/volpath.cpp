@@ -88,7 +88,7 @@ class VolumetricTracer : ScalarTracer {
         medium.varying
             ? medium.varying->fly(h.throughput, h.ray.start(), h.ray.direction, distance,
                                   draws_of_flight(draws, at_distance))
-            : fly(medium, h.throughput, distance,
+            : fly(medium, h.throughput, h.ray.start(), h.ray.direction, distance,
                   draws.one(volpath_dimension::at_step(step, volpath_dimension::channel)), draws.one(at_distance));
     h.throughput *= flight.weight;
     return flight.scattered;
@@ -97,8 +97,8 @@ class VolumetricTracer : ScalarTracer {
   bool scatter_in_medium(Path& h, float distance, std::uint32_t step, const PathSampler& draws,
                          ScalarWork& work) const {
     if (!within(h.depth + 2)) return false;
-    const PhaseFunction& phase = scene_interface_.scene().media.media[h.surroundings.medium()].phase;
     const Vec3f p = h.ray.origin + h.ray.direction * (distance - h.ray.gap);
+    const PhaseFunction phase = scene_interface_.scene().media.media[h.surroundings.medium()].phase_at(p);
     const LightSeen seen = light_seen(p, step, draws);
     if (seen.pdf > 0) {
       const float f = phase.eval(h.ray.direction, seen.wi);

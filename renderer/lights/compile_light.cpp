@@ -194,6 +194,7 @@ LightTexture TextureLookup::operator()(TextureIndex texture, const std::string& 
   textures_->visit_attributes(texture.value, [&](const MeshAttributeDescription& attribute, const Rgb&) {
     throw InputError(where, "a light cannot have the mesh attribute '" + attribute.name + "' as its texture");
   });
+  if (textures_->shows_volume(texture.value)) throw InputError(where, "a light cannot have a volume as its texture");
   return [textures = textures_, texture](const Vec2<float>& uv) { return textures->colour(texture.value, uv); };
 }
 

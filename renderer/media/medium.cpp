@@ -20,10 +20,11 @@ struct CompileLobe {
 PhaseFunction compile_phase(const PhaseDescription& d) {
   return std::visit(
       []<class Phase>(const Phase& phase) -> PhaseFunction {
-        if constexpr (std::is_same_v<Phase, BlendPhaseDescription>)
+        if constexpr (std::is_same_v<Phase, BlendPhaseDescription>) {
+          const double* weight = std::get_if<double>(&phase.weight);
           return {std::visit(CompileLobe(), phase.first), std::visit(CompileLobe(), phase.second),
-                  static_cast<float>(phase.weight)};
-        else
+                  weight != nullptr ? static_cast<float>(*weight) : 0};
+        } else
           return {CompileLobe()(phase), {}, 0};
       },
       d);
@@ -31,19 +32,31 @@ PhaseFunction compile_phase(const PhaseDescription& d) {
 
 double with_fault(double scale) { return has_fault(Fault::thin_medium) ? 0.9 * scale : scale; }
 
-Medium compile(const HomogeneousDescription& d, const MediaFrame&) {
+void compile_phase(const PhaseDescription& d, const VolumeFrame& frame, Medium& medium) {
+  medium.phase = compile_phase(d);
+  if (const auto* blend = std::get_if<BlendPhaseDescription>(&d))
+    if (const auto* weights = std::get_if<GridVolumeDescription>(&blend->weight))
+      medium.second_lobe_map = std::make_shared<const Volume>(*weights, frame);
+}
+
+Medium compile(const HomogeneousDescription& d, const VolumeFrame& frame) {
   Medium medium;
   medium.sigma_t = Rgb(d.sigma_t * with_fault(d.scale));
-  medium.albedo = Rgb(d.albedo);
-  medium.phase = compile_phase(d.phase);
-  medium.scatters = max_component(medium.sigma_t * medium.albedo) > 0;
+  if (const RgbD* constant = constant_of(d.albedo)) {
+    medium.albedo = Rgb(*constant);
+  } else {
+    medium.albedo = Rgb(1.0f);
+    medium.albedo_map = std::make_shared<const Volume>(d.albedo, frame);
+  }
+  compile_phase(d.phase, frame, medium);
+  medium.scatters = max_component(medium.sigma_t * Rgb(most(d.albedo))) > 0;
   return medium;
 }
 
-Medium compile(HeterogeneousDescription d, const MediaFrame& frame) {
+Medium compile(HeterogeneousDescription d, const VolumeFrame& frame) {
   d.scale = with_fault(d.scale);
   Medium medium;
-  medium.phase = compile_phase(d.phase);
+  compile_phase(d.phase, frame, medium);
   medium.varying = std::make_shared<const VaryingMedium>(d, frame);
   medium.scatters = medium.varying->scatters();
   return medium;
@@ -51,7 +64,14 @@ Medium compile(HeterogeneousDescription d, const MediaFrame& frame) {
 
 }  // namespace
 
-FreeFlight fly(const Medium& medium, const Rgb& throughput, float distance, float u_channel, float u_distance) {
+PhaseFunction Medium::phase_at(const Vec3f& p) const {
+  PhaseFunction there = phase;
+  if (second_lobe_map) there.weight = second_lobe_map->at(p).x;
+  return there;
+}
+
+FreeFlight fly(const Medium& medium, const Rgb& throughput, const Vec3f& origin, const Vec3f& direction, float distance,
+               float u_channel, float u_distance) {
   const float sum = throughput.x + throughput.y + throughput.z;
   const Rgb chance = throughput / sum;
   const float pick = u_channel * sum;
@@ -64,10 +84,11 @@ FreeFlight fly(const Medium& medium, const Rgb& throughput, float distance, floa
     return {std::nullopt, left / dot(chance, left)};
   }
   const Rgb scattering = medium.transmittance(t) * medium.sigma_t;
-  return {t, scattering * medium.albedo / dot(chance, scattering)};
+  const Rgb albedo = medium.albedo_map ? medium.albedo_map->at(origin + direction * t) : medium.albedo;
+  return {t, scattering * albedo / dot(chance, scattering)};
 }
 
-SceneMedia compile_media(const SceneDescription& description, const MediaFrame& frame) {
+SceneMedia compile_media(const SceneDescription& description, const VolumeFrame& frame) {
   SceneMedia media;
   for (const MediumDescription& m : description.media)
     media.media.push_back(std::visit([&](const auto& model) { return compile(model, frame); }, m.model));

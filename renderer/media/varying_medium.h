@@ -13,50 +13,18 @@
 // Ratio tracking (Novak et al. 2014) is the same without scattering: each collision leaves n_c / m of the light.
 #pragma once
 
-#include <array>
-#include <memory>
 #include <optional>
 
 #include "renderer/lanes/path_sampler.h"
 #include "renderer/media/free_flight.h"
+#include "renderer/textures/volume.h"
 #include "scenes/description/description.h"
 
 namespace photonproof::inline renderer_media {
 
-/// The frame of rays: p = world x scale + moved.
-struct MediaFrame {
-  Vec3d moved{0, 0, 0};
-  double scale = 1;
-};
-
-/// A value that varies in space.
-class Volume {
- public:
-  Volume(const VolumeColour& value, const MediaFrame& frame);
-  Rgb at(const Vec3f& p) const;
-  struct Span {
-    float begin, end;  ///< none where begin >= end
-  };
-  /// The part of a ray from 0 to `distance` in the box of the volume, whose sides are along the world's axes.
-  Span inside(const Vec3f& origin, const Vec3f& direction, float distance) const;
-
- private:
-  Vec3f local_point(const Vec3f& p) const;
-  Rgb cell(const std::array<int, 3>& index) const;
-  int wrapped(int i, int cells) const;
-
-  Rgb constant_;
-  std::shared_ptr<const VolumeGrid> grid_;  ///< empty where the value is constant
-  VolumeFilter filter_ = VolumeFilter::trilinear;
-  TextureWrap wrap_ = TextureWrap::clamp;
-  std::array<Vec3f, 3> axes_;  ///< the rows of the map to the unit cube
-  Vec3f offset_;
-  Vec3f low_, high_;  ///< of the box
-};
-
 class VaryingMedium {
  public:
-  VaryingMedium(const HeterogeneousDescription& d, const MediaFrame& frame);
+  VaryingMedium(const HeterogeneousDescription& d, const VolumeFrame& frame);
 
   bool scatters() const { return scatters_; }
   /// A flight along a ray from 0 to `distance`, which may be infinite. `draws` serve this flight alone.

@@ -5,9 +5,11 @@
 
 #include <array>
 #include <cmath>
+#include <numbers>
+#include <utility>
 
 #include "renderer/lanes/test_chi_square.h"
-#include "renderer/media/phase.h"
+#include "renderer/media/medium.h"
 
 namespace photonproof::inline renderer_media {
 namespace {
@@ -206,6 +208,50 @@ TEST(phase_function, has_the_shares_of_its_formula) {
   EXPECT_FLOAT_EQ(rayleigh.eval(travel, beside), 3 / (16 * pi));
   const PhaseFunction blend{HenyeyGreenstein{}, Rayleigh{}, 0.25f};
   EXPECT_FLOAT_EQ(blend.eval(travel, ahead), 0.75f / (4 * pi) + 0.25f * 3 / (8 * pi));
+}
+
+/// A medium of the same extinction everywhere within a scene.
+Medium compiled(const HomogeneousDescription& d, const VolumeFrame& frame = {}) {
+  SceneDescription scene;
+  scene.media.push_back({{}, "", d});
+  return compile_media(scene, frame).media.at(0);
+}
+
+TEST(homogeneous_medium, scatters_the_albedo_of_the_place) {
+  // Along x from 0 to 4 the albedo is 0.2 up to x = 2 and 0.8 beyond, in red; half of that in green and 1 in blue. What
+  // scatters is the sum of albedo (T at the beginning - T at the end).
+  GridVolumeDescription steps = along_x({0.2f, 0.1f, 1.0f, 0.8f, 0.4f, 1.0f}, 3);
+  steps.filter = VolumeFilter::nearest;
+  steps.to_world = Transform::scale(Vec3d(4));
+  const RgbD sigma_t{0.5, 0.25, 1};
+  const Medium medium = compiled({sigma_t, steps, 1, {}});
+  EXPECT_TRUE(medium.scatters);
+  Mean scattered;
+  const Rgb throughput{0.7f, 0.2f, 1.0f};
+  for (std::uint32_t i = 0; i < flights; ++i) {
+    const PathSampler draw = draws(i);
+    const FreeFlight flight = fly(medium, throughput, {0, 0.5f, 0.5f}, {1, 0, 0}, 4, draw.one(0), draw.one(1));
+    scattered.add(flight.scattered ? flight.weight : Rgb(0.0f));
+  }
+  const auto first = [](double s) { return 1 - std::exp(-2 * s); };
+  const auto second = [](double s) { return std::exp(-2 * s) - std::exp(-4 * s); };
+  scattered.expect({0.2 * first(0.5) + 0.8 * second(0.5), 0.1 * first(0.25) + 0.4 * second(0.25), first(1) + second(1)},
+                   "scattered");
+  const GridVolumeDescription black = along_x({0, 0});
+  EXPECT_FALSE(compiled({sigma_t, black, 1, {}}).scatters);
+}
+
+TEST(phase_functions, are_blended_by_the_weight_of_the_place) {
+  // The weight is 1/4 at x = 1 and 3/4 at x = 3, linear between; the frame doubles.
+  GridVolumeDescription weight = along_x({0.25f, 0.75f});
+  weight.to_world = Transform::scale(Vec3d(2));
+  const BlendPhaseDescription blend{weight, HenyeyGreensteinDescription{0.5}, IsotropicDescription{}};
+  const Medium medium = compiled({RgbD(1), RgbD(1), 1, blend}, {{}, 2});
+  const Vec3f travel(0, 0, 1), aside(1, 0, 0);
+  const double forward = (1 - 0.25) / (4 * std::numbers::pi * 1.25 * std::sqrt(1.25)),
+               even = 1 / (4 * std::numbers::pi);
+  for (const auto& [x, share] : {std::pair(0.5f, 0.25), {1.0f, 0.25}, {2.0f, 0.5}, {3.5f, 0.75}})
+    EXPECT_NEAR(medium.phase_at({x, 0, 0}).eval(travel, aside), (1 - share) * forward + share * even, 1e-6) << x;
 }
 
 }  // namespace

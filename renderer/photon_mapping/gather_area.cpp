@@ -150,7 +150,7 @@ GatherAreas::TexturePoint GatherAreas::texture_point(const GatherPoint& point) c
   const DetailTables& detail = *scene_.view().detail;
   const std::uint32_t surface = surface_number(point.surface);
   TexturePoint at{detail.local(surface, primitive, point.p, front).uv, std::nullopt};
-  if (scene_.textures->has_mesh_attributes()) at.on_mesh = detail.mesh_point(surface, primitive, point.p);
+  if (scene_.textures->need_place()) at.placed = detail.placed_point(surface, primitive, point.p);
   return at;
 }
 
@@ -163,7 +163,7 @@ float GatherAreas::stored_share(const GatherPoint& point) const {
   const auto weight = [&](const TexturedNumber& n) {
     if (n.texture == no_index) return std::clamp(n.value, 0.0f, 1.0f);
     if (!at) at = texture_point(point);
-    return std::clamp(scene_.textures->number(n.texture, at->uv, at->on_mesh ? &*at->on_mesh : nullptr), 0.0f, 1.0f);
+    return std::clamp(scene_.textures->number(n.texture, at->uv, at->placed ? &*at->placed : nullptr), 0.0f, 1.0f);
   };
   const bool behind = (point.surface_side & SurfaceSide::from_behind) != 0;
   const float share = chance_of_leaf(scene_, surface.bsdf, behind, is_rough ? can_be_rough : is_lambertian, weight);

@@ -37,7 +37,7 @@ class GatherAreas {
   /// The point as textures need it.
   struct TexturePoint {
     Vec2<float> uv;
-    std::optional<MeshPoint> on_mesh;
+    std::optional<PlacedPoint> placed;
   };
   TexturePoint texture_point(const GatherPoint& point) const;
   float stored_share(const GatherPoint& point) const;

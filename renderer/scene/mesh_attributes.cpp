@@ -70,12 +70,13 @@ void check(const MeshAttributeDescription& wanted, const Rgb& factor, const Shap
 
 void check_mesh_attributes(const SceneDescription& description, const Textures& textures, const BsdfTable& bsdfs,
                            const std::vector<Surface>& surfaces, const std::vector<const ShapeDescription*>& shape_of) {
-  if (!textures.has_mesh_attributes()) return;
+  if (!textures.need_place()) return;
   std::set<std::pair<const ShapeDescription*, std::uint32_t>> known;  // many instances share a mesh and a texture
   for (std::size_t i = 0; i < surfaces.size(); ++i) {
     const ShapeDescription& shape = owner(description, surfaces[i], *shape_of[i]);
     const std::string where = description.where(shape.loc);
-    const auto refuse = [&](std::uint32_t texture, const char* use) {
+    const auto refuse = [&](std::uint32_t texture, const std::string& use) {
+      if (textures.shows_volume(texture)) throw InputError(where, "a volume cannot be " + use);
       textures.visit_attributes(texture, [&](const MeshAttributeDescription& attribute, const Rgb&) {
         throw InputError(where, "the mesh attribute '" + attribute.name + "' cannot be " + use);
       });

@@ -69,7 +69,7 @@ SceneParts::SceneParts(const SceneDescription& in_its_unit, int width_, int heig
   if (frame.scale != 1) in_other_unit = scaled(in_its_unit, frame.scale);
   const SceneDescription& description = in_other_unit ? *in_other_unit : in_its_unit;
 
-  textures = std::make_shared<const Textures>(description.textures);
+  textures = std::make_shared<const Textures>(description.textures, VolumeFrame{frame.moved, frame.scale});
   media = compile_media(description, {frame.moved, frame.scale});
   bsdfs = compile_bsdfs(description);
   SceneShapes shapes(description, *textures, frame.moved, frame.long_edge);

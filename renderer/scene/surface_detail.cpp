@@ -21,11 +21,11 @@ Vec3f perpendicular(const Vec3f& v, const Vec3f& n) {
 /// Descends from a surface's BSDF to a leaf.
 class Descent {
  public:
-  Descent(const DetailTables& tables, const LocalGeometry& at, const MeshPoint* on_mesh, const Vec3f& geometric_normal,
+  Descent(const DetailTables& tables, const LocalGeometry& at, const PlacedPoint* placed, const Vec3f& geometric_normal,
           const Vec3f& direction, float u, TransportMode mode)
       : tables_(tables),
         at_(at),
-        on_mesh_(on_mesh),
+        placed_(placed),
         geometric_(geometric_normal),
         back_(-direction),
         mode_(mode),
@@ -71,7 +71,7 @@ class Descent {
  private:
   const DetailTables& tables_;
   const LocalGeometry& at_;
-  const MeshPoint* on_mesh_;
+  const PlacedPoint* placed_;
   const Vec3f geometric_, back_;
   const TransportMode mode_;
   float u_;
@@ -119,7 +119,7 @@ class Descent {
   }
 
   float number(const TexturedNumber& n) const {
-    const float value = n.texture == no_index ? n.value : tables_.textures.number(n.texture, at_.uv, on_mesh_);
+    const float value = n.texture == no_index ? n.value : tables_.textures.number(n.texture, at_.uv, placed_);
     return std::clamp(value, 0.0f, 1.0f);
   }
 
@@ -154,7 +154,7 @@ class Descent {
   Vec3f mapped(const TexturedNumber& map) const {
     const Vec3f n = front();
     const Vec3f s = perpendicular(at_.dp_du, n);
-    const Rgb rgb = tables_.textures.colour(map.texture, at_.uv, on_mesh_);
+    const Rgb rgb = tables_.textures.colour(map.texture, at_.uv, placed_);
     return s * (2 * rgb.x - 1) + cross(n, s) * (2 * rgb.y - 1) + n * (2 * rgb.z - 1);
   }
 
@@ -197,34 +197,34 @@ void copy_record(const SceneView& scene, std::uint32_t bsdf, float* record) {
 }
 
 /// The leaf's record with the textures' values.
-void fill_record(const SceneView& scene, std::uint32_t leaf, const LocalGeometry& at, const MeshPoint* on_mesh,
+void fill_record(const SceneView& scene, std::uint32_t leaf, const LocalGeometry& at, const PlacedPoint* placed,
                  float* record) {
   copy_record(scene, leaf, record);
   const Textures& textures = scene.detail->textures;
   for (const TextureSlot& slot : scene.detail->bsdfs.tree[leaf].slots) {
     if (slot.is_colour) {
-      const Rgb colour = textures.colour(slot.texture, at.uv, on_mesh);
+      const Rgb colour = textures.colour(slot.texture, at.uv, placed);
       std::memcpy(&record[slot.word], &colour, sizeof colour);
     } else {
-      record[slot.word] = textures.number(slot.texture, at.uv, on_mesh);
+      record[slot.word] = textures.number(slot.texture, at.uv, placed);
     }
   }
 }
 
 /// Blends the reflectance of a diffuse leaf with another's.
-void add_diffuse(const SceneView& scene, const Descent& descent, const LocalGeometry& at, const MeshPoint* on_mesh,
+void add_diffuse(const SceneView& scene, const Descent& descent, const LocalGeometry& at, const PlacedPoint* placed,
                  float* record) {
   float other[BsdfKinds::stride];
-  fill_record(scene, descent.added, at, on_mesh, other);
+  fill_record(scene, descent.added, at, placed, other);
   for (int channel = 0; channel < 3; ++channel)
     record[channel] += (other[channel] - record[channel]) * descent.added_share;
 }
 
 /// Weights a mirror of a blend against the other leaf.
-void mix(const SceneView& scene, const Descent& descent, const LocalGeometry& at, const MeshPoint* on_mesh,
+void mix(const SceneView& scene, const Descent& descent, const LocalGeometry& at, const PlacedPoint* placed,
          const Vec3f& direction, SurfaceDetail& detail) {
   float other[BsdfKinds::stride];
-  fill_record(scene, descent.mixed, at, on_mesh, other);
+  fill_record(scene, descent.mixed, at, placed, other);
   const Frame<float> frame(detail.normal, perpendicular(at.dp_du, detail.normal));
   mix_mirror(detail.kind, detail.record, descent.mixed_share, scene.detail->bsdfs.kind(descent.mixed), other,
              frame.to_local(-direction));
@@ -252,13 +252,12 @@ LocalGeometry DetailTables::local(std::uint32_t surface, std::uint32_t primitive
   return local_geometry(s, frame, triangles != nullptr ? triangles[primitive] : primitive, p, normal);
 }
 
-std::optional<MeshPoint> DetailTables::mesh_point(std::uint32_t surface, std::uint32_t primitive,
-                                                  const Vec3f& p) const {
+PlacedPoint DetailTables::placed_point(std::uint32_t surface, std::uint32_t primitive, const Vec3f& p) const {
   const Mesh* mesh = mesh_of(surfaces[surface].geometry);
-  if (mesh == nullptr) return std::nullopt;
+  if (mesh == nullptr) return {p, nullptr};
   const std::uint32_t triangle = triangles != nullptr ? triangles[primitive] : primitive;
   const Vec2<float> b = barycentric(surfaces[surface], triangle, p);
-  return MeshPoint{mesh->source.get(), triangle, b.x, b.y};
+  return {p, mesh->source.get(), triangle, b.x, b.y};
 }
 
 void detail_at(const SceneView& scene, std::uint32_t surface, std::uint32_t primitive, const Vec3f& p,
@@ -277,10 +276,10 @@ void detail_at(const SceneView& scene, std::uint32_t surface, std::uint32_t prim
     return;
   }
   const LocalGeometry at = tables.local(surface, primitive, p, normal);
-  std::optional<MeshPoint> on_mesh;
-  if (tables.textures.has_mesh_attributes()) on_mesh = tables.mesh_point(surface, primitive, p);
-  const MeshPoint* mesh_point = on_mesh ? &*on_mesh : nullptr;
-  Descent descent(tables, at, mesh_point, normal, direction, u, mode);
+  std::optional<PlacedPoint> point;
+  if (tables.textures.need_place()) point = tables.placed_point(surface, primitive, p);
+  const PlacedPoint* placed = point ? &*point : nullptr;
+  Descent descent(tables, at, placed, normal, direction, u, mode);
   detail.bsdf = descent.leaf_of(scene.surfaces[surface].bsdf);
   detail.kind = tables.bsdfs.kind(detail.bsdf);
   detail.normal = descent.normal;
@@ -291,11 +290,11 @@ void detail_at(const SceneView& scene, std::uint32_t surface, std::uint32_t prim
   detail.state = descent.state;
   detail.chance = descent.chance;
   detail.surface |= (descent.state & ((1u << MappedNormals<float>::tag_bits) - 1)) << PhotonSurface::number_bits;
-  fill_record(scene, detail.bsdf, at, mesh_point, detail.record);
-  if (descent.added != no_index) add_diffuse(scene, descent, at, mesh_point, detail.record);
+  fill_record(scene, detail.bsdf, at, placed, detail.record);
+  if (descent.added != no_index) add_diffuse(scene, descent, at, placed, detail.record);
   const bool has_directions = tables.bsdfs.tree[detail.bsdf].has_directions;
   detail.tangent = has_directions ? perpendicular(at.dp_du, detail.normal) : Vec3f(0.0f);
-  if (descent.mixed != no_index) mix(scene, descent, at, mesh_point, direction, detail);
+  if (descent.mixed != no_index) mix(scene, descent, at, placed, direction, detail);
 }
 
 }  // namespace photonproof::inline renderer_scene

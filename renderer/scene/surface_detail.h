@@ -45,8 +45,8 @@ struct DetailTables {
 
   /// `primitive` as in SurfaceHit.
   LocalGeometry local(std::uint32_t surface, std::uint32_t primitive, const Vec3f& p, const Vec3f& normal) const;
-  /// The point on its triangle; empty where the surface is no mesh.
-  std::optional<MeshPoint> mesh_point(std::uint32_t surface, std::uint32_t primitive, const Vec3f& p) const;
+  /// The point as textures need it.
+  PlacedPoint placed_point(std::uint32_t surface, std::uint32_t primitive, const Vec3f& p) const;
 };
 
 /// The number of a surface without the bits that PhotonSurface has above it.

@@ -12,7 +12,7 @@ namespace {
 float luminance(const Rgb& c) { return 0.212671f * c.x + 0.715160f * c.y + 0.072169f * c.z; }
 
 /// The attribute of the mesh at the point; 0 if it has none of that name. There are few, so that they are searched.
-Rgb attribute_at(const std::string& name, const MeshPoint& at) {
+Rgb attribute_at(const std::string& name, const PlacedPoint& at) {
   for (const MeshAttribute& attribute : at.mesh->attributes) {
     if (attribute.name != name) continue;
     if (!attribute.per_vertex()) return attribute.values[at.triangle];
@@ -106,7 +106,7 @@ Textures::Colour2 Textures::compile(const Colour& colour) {
   return {Rgb(std::get<RgbD>(colour)), no_index};
 }
 
-Textures::Textures(const std::vector<TextureDescription>& descriptions) {
+Textures::Textures(const std::vector<TextureDescription>& descriptions, const VolumeFrame& frame) {
   for (const TextureDescription& d : descriptions)
     std::visit(Overloaded{[&](const BitmapDescription& bitmap) { textures_.emplace_back(BitmapTexture(bitmap)); },
                           [&](const CheckerboardDescription& board) {
@@ -119,6 +119,10 @@ Textures::Textures(const std::vector<TextureDescription>& descriptions) {
                           },
                           [&](const ScaledTextureDescription& scaled) {
                             textures_.emplace_back(Scaled{scaled.texture.value, Rgb(scaled.scale)});
+                          },
+                          [&](const VolumeTextureDescription& volume) {
+                            textures_.emplace_back(Volume(volume.volume, frame));
+                            has_volumes_ = true;
                           }},
                d.pattern);
 }
@@ -129,20 +133,23 @@ const Textures::Colour2& Textures::square(const Checkerboard& board, const Vec2<
   return board.colours[right == upper ? 0 : 1];
 }
 
-Rgb Textures::colour(std::uint32_t texture, const Vec2<float>& uv, const MeshPoint* on_mesh) const {
+Rgb Textures::colour(std::uint32_t texture, const Vec2<float>& uv, const PlacedPoint* placed) const {
   if (const auto* bitmap = std::get_if<BitmapTexture>(&textures_[texture])) return bitmap->at(uv);
   if (const auto* board = std::get_if<Checkerboard>(&textures_[texture])) {
     const Colour2& c = square(*board, uv);
-    return c.texture != no_index ? colour(c.texture, uv, on_mesh) : c.value;
+    return c.texture != no_index ? colour(c.texture, uv, placed) : c.value;
   }
   if (const auto* scaled = std::get_if<Scaled>(&textures_[texture]))
-    return colour(scaled->texture, uv, on_mesh) * scaled->factor;
+    return colour(scaled->texture, uv, placed) * scaled->factor;
+  if (placed == nullptr) return Rgb(0.0f);
+  if (const auto* volume = std::get_if<Volume>(&textures_[texture])) return volume->at(placed->p);
   const auto& attribute = std::get<MeshAttributeDescription>(textures_[texture]);
-  return on_mesh != nullptr ? attribute_at(attribute.name, *on_mesh) * static_cast<float>(attribute.scale) : Rgb(0.0f);
+  return placed->mesh != nullptr ? attribute_at(attribute.name, *placed) * static_cast<float>(attribute.scale)
+                                 : Rgb(0.0f);
 }
 
-float Textures::number(std::uint32_t texture, const Vec2<float>& uv, const MeshPoint* on_mesh) const {
-  return luminance(colour(texture, uv, on_mesh));
+float Textures::number(std::uint32_t texture, const Vec2<float>& uv, const PlacedPoint* placed) const {
+  return luminance(colour(texture, uv, placed));
 }
 
 Vec2<float> Textures::gradient(std::uint32_t texture, const Vec2<float>& uv) const {
@@ -172,6 +179,14 @@ void Textures::visit_attributes(
       visit(inner, factor * scaled->factor);
     });
   }
+}
+
+bool Textures::shows_volume(std::uint32_t texture) const {
+  if (const auto* board = std::get_if<Checkerboard>(&textures_[texture]))
+    return std::ranges::any_of(board->colours,
+                               [&](const Colour2& c) { return c.texture != no_index && shows_volume(c.texture); });
+  if (const auto* scaled = std::get_if<Scaled>(&textures_[texture])) return shows_volume(scaled->texture);
+  return std::holds_alternative<Volume>(textures_[texture]);
 }
 
 Vec2<int> Textures::resolution(std::uint32_t texture) const {

@@ -1,4 +1,5 @@
-// Textures of the compiled scene: bitmaps and checkerboards over uv, attributes of meshes. Meaning as in Mitsuba 3.
+// Textures of the compiled scene: bitmaps and checkerboards over uv, attributes of meshes, volumes. Meaning as in
+// Mitsuba 3.
 #pragma once
 
 #include <cstdint>
@@ -7,6 +8,7 @@
 #include <vector>
 
 #include "renderer/core/ray.h"
+#include "renderer/textures/volume.h"
 #include "scenes/description/description.h"
 
 namespace photonproof::inline renderer_textures {
@@ -48,28 +50,33 @@ class BitmapTexture {
   UvTransform to_uv_;
 };
 
-/// A point of a mesh's triangle by its barycentric coordinates of the second and third corner.
-struct MeshPoint {
-  const TriangleMesh* mesh;
-  std::uint32_t triangle;
-  float b1, b2;
+/// A point of a surface. On a mesh it is that of a triangle, by its barycentric coordinates of the second and third
+/// corner.
+struct PlacedPoint {
+  Vec3f p;                     ///< in the frame of rays
+  const TriangleMesh* mesh;    ///< null where the surface is no mesh
+  std::uint32_t triangle = 0;  ///< and the next: of a mesh
+  float b1 = 0, b2 = 0;
 };
 
 /// All textures of a scene, by the description's indices.
 class Textures {
  public:
-  explicit Textures(const std::vector<TextureDescription>& descriptions);
+  explicit Textures(const std::vector<TextureDescription>& descriptions, const VolumeFrame& frame = {});
 
-  /// `on_mesh` is the same point for textures that need one; without it, mesh attributes are 0.
-  Rgb colour(std::uint32_t texture, const Vec2<float>& uv, const MeshPoint* on_mesh = nullptr) const;
+  /// `placed` is the same point for textures that need one; without it, mesh attributes and volumes are 0.
+  Rgb colour(std::uint32_t texture, const Vec2<float>& uv, const PlacedPoint* placed = nullptr) const;
   /// The colour's luminance (Rec. 709), as Mitsuba converts a colour to a number.
-  float number(std::uint32_t texture, const Vec2<float>& uv, const MeshPoint* on_mesh = nullptr) const;
+  float number(std::uint32_t texture, const Vec2<float>& uv, const PlacedPoint* placed = nullptr) const;
   /// Derivatives of `number` by u and v; 0 where it jumps.
   Vec2<float> gradient(std::uint32_t texture, const Vec2<float>& uv) const;
   std::size_t bytes() const;
 
-  /// Whether a texture of the scene needs a MeshPoint.
+  /// Whether a texture of the scene needs a PlacedPoint.
+  bool need_place() const { return has_mesh_attributes_ || has_volumes_; }
   bool has_mesh_attributes() const { return has_mesh_attributes_; }
+  /// Whether the texture, or one within it, is a volume.
+  bool shows_volume(std::uint32_t texture) const;
   /// Calls `visit` for every mesh attribute that a texture shows, with the factor of its values.
   void visit_attributes(std::uint32_t texture,
                         const std::function<void(const MeshAttributeDescription&, const Rgb& factor)>& visit) const;
@@ -95,8 +102,8 @@ class Textures {
   /// The colour of a checkerboard's square.
   static const Colour2& square(const Checkerboard& board, const Vec2<float>& uv);
 
-  std::vector<std::variant<BitmapTexture, Checkerboard, MeshAttributeDescription, Scaled>> textures_;
-  bool has_mesh_attributes_ = false;
+  std::vector<std::variant<BitmapTexture, Checkerboard, MeshAttributeDescription, Scaled, Volume>> textures_;
+  bool has_mesh_attributes_ = false, has_volumes_ = false;
 };
 
 }  // namespace photonproof::inline renderer_textures

@@ -149,10 +149,10 @@ TEST(mesh_attribute, is_linear_on_a_triangle_or_constant) {
                            {{}, "", MeshAttributeDescription{"vertex_none", 1}}});
   EXPECT_TRUE(textures.has_mesh_attributes());
   // Corners 2, 0, 1 weigh 1/8, 1/2 and 3/8.
-  const MeshPoint at{&mesh, 0, 0.5f, 0.375f};
+  const PlacedPoint at{{}, &mesh, 0, 0.5f, 0.375f};
   EXPECT_EQ(textures.colour(0, {}, &at), Rgb(0.5f + 1.5f + 1, 1 + 1.5f + 1, 1.5f + 1.5f + 1));
   EXPECT_EQ(textures.colour(1, {}, &at), Rgb(2.5f));
-  const MeshPoint on_second{&mesh, 1, 0, 0};
+  const PlacedPoint on_second{{}, &mesh, 1, 0, 0};
   EXPECT_EQ(textures.colour(0, {}, &on_second), Rgb(1, 2, 3));
   EXPECT_EQ(textures.colour(1, {}, &on_second), Rgb(3));
   EXPECT_EQ(textures.colour(2, {}, &at), Rgb(0.0f));

@@ -4,6 +4,8 @@
 #include <variant>
 #include <vector>
 
+#include "scenes/description/scene_volumes.h"
+
 namespace photonproof::inline scenes_description {
 
 void visit_file_names(SceneDescription& scene, const std::function<void(std::string&)>& visit) {
@@ -17,8 +19,9 @@ void visit_file_names(SceneDescription& scene, const std::function<void(std::str
   for (ShapeGroupDescription& group : scene.groups) visit_shapes(group.shapes);
   for (TextureDescription& texture : scene.textures)
     if (auto* bitmap = std::get_if<BitmapDescription>(&texture.pattern)) visit(bitmap->filename);
-  for (MediumDescription& medium : scene.media)
-    for (GridVolumeDescription* volume : volumes_of(medium)) visit(volume->filename);
+  visit_volumes(scene, [&](auto& volume) {
+    if constexpr (requires { volume.filename; }) visit(volume.filename);
+  });
   for (EmitterDescription& emitter : scene.emitters) {
     if (auto* map = std::get_if<EnvmapDescription>(&emitter.light)) visit(map->filename);
     if (auto* profile = std::get_if<IesLightDescription>(&emitter.light)) visit(profile->filename);

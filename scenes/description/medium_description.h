@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <type_traits>
 #include <variant>
 #include <vector>
 
@@ -43,7 +44,7 @@ void describe(P& p, RayleighDescription&) {
 using PhaseLobe = std::variant<IsotropicDescription, HenyeyGreensteinDescription, RayleighDescription>;
 
 struct BlendPhaseDescription {
-  double weight = 0.5;
+  VolumeNumber weight = 0.5;
   PhaseLobe first, second;
   friend bool operator==(const BlendPhaseDescription&, const BlendPhaseDescription&) = default;
 };
@@ -51,8 +52,8 @@ struct BlendPhaseDescription {
 template <class P>
 void describe(P& p, BlendPhaseDescription& d) {
   p.plugin("blendphase", "a mixture of two");
-  p.require("weight", "a number from 0 to 1");
-  p.number("weight", d.weight, scene_xml::kShare, "share of the second");
+  p.require("weight", "a number from 0 to 1 or a volume");
+  p.volume_number("weight", d.weight, scene_xml::kShare, "share of the second");
   p.nested("phase", 2, "both, none a `blendphase`");
 }
 
@@ -62,7 +63,7 @@ using PhaseDescription =
 /// Extinction sigma_t x scale per scene unit; the share `albedo` of it is scattering.
 struct HomogeneousDescription {
   RgbD sigma_t{1.0};
-  RgbD albedo{0.75};
+  VolumeColour albedo = RgbD(0.75);
   double scale = 1;
   PhaseDescription phase = {};
   friend bool operator==(const HomogeneousDescription&, const HomogeneousDescription&) = default;
@@ -70,9 +71,9 @@ struct HomogeneousDescription {
 
 template <class P>
 void describe(P& p, HomogeneousDescription& d) {
-  p.plugin("homogeneous", "the same everywhere");
+  p.plugin("homogeneous", "the same extinction everywhere");
   p.colour("sigma_t", d.sigma_t, scene_xml::kNotNegative, "extinction per scene unit");
-  p.colour("albedo", d.albedo, scene_xml::kShare, "share of it that scatters");
+  p.volume("albedo", d.albedo, scene_xml::kShare, "share of it that scatters");
   p.also("sigma_a", scene_xml::ParamType::colour, "", "absorption per scene unit, with the next in place of these two");
   p.also("sigma_s", scene_xml::ParamType::colour, "", "scattering per scene unit");
   p.number("scale", d.scale, scene_xml::kNotNegative, "factor of `sigma_t`, `sigma_a` and `sigma_s`");
@@ -102,6 +103,7 @@ struct MediumDescription {
   std::string id;
   std::variant<HomogeneousDescription, HeterogeneousDescription> model;
 
+  /// Whether its extinction varies.
   bool varies() const { return std::holds_alternative<HeterogeneousDescription>(model); }
 };
 
@@ -114,29 +116,9 @@ inline MediumBounds bounds_of(const MediumDescription& medium) {
     return MediumBounds{sigma_t * scale, sigma_t * scale * albedo};
   };
   if (const auto* fog = std::get_if<HomogeneousDescription>(&medium.model))
-    return bounds(fog->sigma_t, fog->albedo, fog->scale);
+    return bounds(fog->sigma_t, most(fog->albedo), fog->scale);
   const auto& cloud = std::get<HeterogeneousDescription>(medium.model);
   return bounds(most(cloud.sigma_t), most(cloud.albedo), cloud.scale);
-}
-
-/// The volumes of a kind among a medium's values.
-template <class Volume>
-std::vector<Volume*> volumes_of_kind(MediumDescription& medium) {
-  std::vector<Volume*> found;
-  if (auto* cloud = std::get_if<HeterogeneousDescription>(&medium.model))
-    for (VolumeColour* value : {&cloud->sigma_t, &cloud->albedo})
-      if (auto* volume = std::get_if<Volume>(value)) found.push_back(volume);
-  return found;
-}
-inline std::vector<GridVolumeDescription*> volumes_of(MediumDescription& medium) {
-  return volumes_of_kind<GridVolumeDescription>(medium);
-}
-inline std::vector<const GridVolumeDescription*> volumes_of(const MediumDescription& medium) {
-  std::vector<const GridVolumeDescription*> found;
-  if (const auto* cloud = std::get_if<HeterogeneousDescription>(&medium.model))
-    for (const VolumeColour* value : {&cloud->sigma_t, &cloud->albedo})
-      if (const auto* volume = std::get_if<GridVolumeDescription>(value)) found.push_back(volume);
-  return found;
 }
 
 inline PhaseDescription& phase_of(MediumDescription& medium) {
@@ -144,6 +126,25 @@ inline PhaseDescription& phase_of(MediumDescription& medium) {
 }
 inline const PhaseDescription& phase_of(const MediumDescription& medium) {
   return std::visit([](const auto& model) -> const PhaseDescription& { return model.phase; }, medium.model);
+}
+
+/// Calls `visit` with each value of a medium that a volume may give, a VolumeColour or a VolumeNumber.
+template <class Medium, class Visit>
+void visit_volume_values(Medium& medium, Visit&& visit) {
+  if (auto* cloud = std::get_if<HeterogeneousDescription>(&medium.model)) visit(cloud->sigma_t);
+  std::visit([&](auto& model) { visit(model.albedo); }, medium.model);
+  if (auto* blend = std::get_if<BlendPhaseDescription>(&phase_of(medium))) visit(blend->weight);
+}
+
+/// The grids among a medium's values.
+template <class Medium>
+auto volumes_of(Medium& medium) {
+  using Grid = std::conditional_t<std::is_const_v<Medium>, const GridVolumeDescription, GridVolumeDescription>;
+  std::vector<Grid*> found;
+  visit_volume_values(medium, [&](auto& value) {
+    if (auto* grid = std::get_if<GridVolumeDescription>(&value)) found.push_back(grid);
+  });
+  return found;
 }
 
 }  // namespace photonproof::inline scenes_description

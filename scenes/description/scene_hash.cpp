@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <type_traits>
 
+#include "scenes/description/scene_volumes.h"
 #include "scenes/files/atomic_file.h"
 #include "scenes/files/checksum.h"
 
@@ -86,8 +87,7 @@ std::string scene_hash(const SceneDescription& scene) {
   for (const ShapeGroupDescription& group : scene.groups)
     for (const ShapeDescription& shape : group.shapes) std::visit(add, shape.geometry);
   for (const EmitterDescription& emitter : scene.emitters) std::visit(add, emitter.light);
-  for (const MediumDescription& medium : scene.media)
-    for (const GridVolumeDescription* volume : volumes_of(medium)) hash.assets_of(*volume);
+  visit_volumes(scene, add);
   return hash.hex();
 }
 

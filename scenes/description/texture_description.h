@@ -11,7 +11,9 @@
 #include "scenes/base/input_error.h"
 #include "scenes/base/vec.h"
 #include "scenes/description/param_type.h"
+#include "scenes/description/texture_wrap.h"
 #include "scenes/description/transform.h"
+#include "scenes/description/volume_description.h"
 #include "scenes/images/image.h"
 
 namespace photonproof::inline scenes_description {
@@ -35,9 +37,6 @@ using Scalar = std::variant<double, TextureIndex>;
 
 /// The value of a colour that is not a texture.
 inline const RgbD& constant(const Colour& colour) { return std::get<RgbD>(colour); }
-
-enum class TextureFilter { bilinear, nearest };
-enum class TextureWrap { repeat, mirror, clamp };
 
 /// An image over the unit square of uv; its first row is at v = 0, as in Mitsuba.
 struct BitmapDescription {
@@ -108,10 +107,25 @@ void describe(P& p, ScaledTextureDescription& d) {
   p.nested_texture(d.texture, "the other texture");
 }
 
+/// A volume at the positions of hits, in the world.
+struct VolumeTextureDescription {
+  VolumeColour volume = RgbD(1.0);
+  friend bool operator==(const VolumeTextureDescription&, const VolumeTextureDescription&) = default;
+};
+
+template <class P>
+void describe(P& p, VolumeTextureDescription& d) {
+  p.plugin("volume", "a volume at the hit's position; not for bump maps, heightfields and lights");
+  p.require("volume", "a volume");
+  p.volume("volume", d.volume, scene_xml::kNotNegative, "values in the world's space");
+}
+
 struct TextureDescription {
   SourceLoc loc;
   std::string id;  ///< empty when unnamed
-  std::variant<BitmapDescription, CheckerboardDescription, MeshAttributeDescription, ScaledTextureDescription> pattern;
+  std::variant<BitmapDescription, CheckerboardDescription, MeshAttributeDescription, ScaledTextureDescription,
+               VolumeTextureDescription>
+      pattern;
 };
 
 }  // namespace photonproof::inline scenes_description

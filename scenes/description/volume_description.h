@@ -5,8 +5,10 @@
 #include <string>
 #include <variant>
 
+#include "scenes/base/vec.h"
 #include "scenes/description/param_type.h"
-#include "scenes/description/texture_description.h"
+#include "scenes/description/texture_wrap.h"
+#include "scenes/description/transform.h"
 #include "scenes/meshes/vol.h"
 
 namespace photonproof::inline scenes_description {
@@ -75,6 +77,9 @@ inline Transform place_of(const VolumeColour& v) {
   const auto* grid = std::get_if<GridVolumeDescription>(&v);
   return grid != nullptr ? grid->to_world : Transform();
 }
+
+/// A number, or a volume of one channel that gives one at every point.
+using VolumeNumber = std::variant<double, GridVolumeDescription>;
 
 /// Every component is at most that of this.
 inline RgbD most(const VolumeColour& v) {

@@ -14,6 +14,9 @@
 namespace photonproof::scene_xml {
 namespace {
 
+/// Rec. 709, Mitsuba's digits.
+double luminance(const RgbD& c) { return 0.212671 * c.x + 0.715160 * c.y + 0.072169 * c.z; }
+
 const std::vector<std::string>& tags_of(ParamType type) {
   static const std::map<ParamType, std::vector<std::string>> table = {
       {ParamType::boolean, {"boolean"}},
@@ -274,9 +277,13 @@ Colour Params::colour_map(const std::string& name, const RgbD& fallback, double 
 
 Scalar Params::number_map(const std::string& name, double fallback, double low, double high) {
   if (is_texture(name)) return texture_up_to(name, low, high);
+  return number_or_luminance(name, fallback, low, high);
+}
+
+double Params::number_or_luminance(const std::string& name, double fallback, double low, double high) {
   if (tag(name) != "rgb" && tag(name) != "spectrum") return number_in(name, fallback, low, high);
   const RgbD c = colour(name, RgbD(fallback), low, high);
-  return 0.212671 * c.x + 0.715160 * c.y + 0.072169 * c.z;  // Rec. 709 luminance, Mitsuba's digits
+  return luminance(c);
 }
 
 std::optional<TextureIndex> Params::texture(const std::string& name) {
@@ -285,15 +292,27 @@ std::optional<TextureIndex> Params::texture(const std::string& name) {
 }
 
 VolumeColour Params::volume(const std::string& name, const RgbD& fallback, double low, double high) {
-  const auto found = given_.find(name);
-  if (found == given_.end() || objects_.target(*found->second).tag != "volume")
-    return colour(name, fallback, low, high);
+  if (!is_volume(name)) return colour(name, fallback, low, high);
   return value_or(name, VolumeColour(fallback), [&](const Element& element) -> VolumeColour {
     VolumeColour volume = read_volume(objects_, objects_.target(element));
     const double largest = max_component(most(volume));
     expect(largest <= high, name, "has values up to " + format_number(largest) + ", expected " + range(low, high));
     return volume;
   });
+}
+
+bool Params::is_volume(const std::string& name) const {
+  const auto found = given_.find(name);
+  return found != given_.end() && objects_.target(*found->second).tag == "volume";
+}
+
+VolumeNumber Params::volume_number(const std::string& name, double fallback, double low, double high) {
+  if (!is_volume(name)) return number_or_luminance(name, fallback, low, high);
+  const VolumeColour given = volume(name, RgbD(fallback), low, high);
+  if (const RgbD* constant = constant_of(given)) return luminance(*constant);
+  const auto& grid = std::get<GridVolumeDescription>(given);
+  expect(grid.grid->channels == 1, name, "has values of three channels, expected one");
+  return grid;
 }
 
 Vec3d Params::point(const std::string& name, const Vec3d& fallback) {

@@ -65,6 +65,8 @@ class Params {
   std::optional<TextureIndex> texture(const std::string& name);
   /// A colour, or a volume, whose values are at least 0.
   VolumeColour volume(const std::string& name, const RgbD& fallback, double low, double high);
+  /// A number, the luminance of a colour, or a volume of one channel, whose values are at least 0.
+  VolumeNumber volume_number(const std::string& name, double fallback, double low, double high);
   Vec3d point(const std::string& name, const Vec3d& fallback);
   Transform transform(const std::string& name);
   /// The attribute that sets `name`, which must be given.
@@ -102,6 +104,8 @@ class Params {
   void refuse(const std::string& name, const InputError& error);
   TextureIndex texture_up_to(const std::string& name, double low, double high);
   bool is_texture(const std::string& name) const;
+  bool is_volume(const std::string& name) const;
+  double number_or_luminance(const std::string& name, double fallback, double low, double high);
   void add(const Element& parameter, const std::vector<ParamSpec>& specs);
   void add_nested(const Element& child, const std::vector<ParamSpec>& specs, const std::vector<NestedSpec>& nested);
 

@@ -51,6 +51,9 @@ class PluginReader {
   void volume(const char* name, VolumeColour& v, const Range& range, const char*) {
     v = params_.volume(name, std::get<RgbD>(v), range.low, range.high);
   }
+  void volume_number(const char* name, VolumeNumber& v, const Range& range, const char*) {
+    v = params_.volume_number(name, std::get<double>(v), range.low, range.high);
+  }
   void texture(const char* name, TextureIndex& v, const char*) { v = *params_.texture(name); }
   void optional_texture(const char* name, std::optional<TextureIndex>& v, const char*) { v = params_.texture(name); }
   template <class Value>

@@ -94,6 +94,10 @@ void PluginRows::volume(const char* name, const VolumeColour& v, const Range& ra
   add(name, ParamType::volume, text_of(std::get<RgbD>(v)), text_of(range) + ", or a volume", what);
 }
 
+void PluginRows::volume_number(const char* name, const VolumeNumber& v, const Range& range, const char* what) {
+  add(name, ParamType::volume, format_number(std::get<double>(v)), text_of(range) + ", or a volume", what);
+}
+
 void PluginRows::texture(const char* name, TextureIndex, const char* what) {
   add(name, ParamType::texture, "", "a texture", what);
 }

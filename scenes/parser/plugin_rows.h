@@ -44,6 +44,7 @@ class PluginRows {
   void emission_map(const char* name, const Colour& v, const char* what);
   void number_map(const char* name, const Scalar& v, const Range& range, const char* what);
   void volume(const char* name, const VolumeColour& v, const Range& range, const char* what);
+  void volume_number(const char* name, const VolumeNumber& v, const Range& range, const char* what);
   void texture(const char* name, TextureIndex, const char* what);
   void optional_texture(const char* name, const std::optional<TextureIndex>&, const char* what);
   template <class Value>

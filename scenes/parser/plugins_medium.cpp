@@ -40,7 +40,7 @@ void read_absorption_and_scattering(Params& params, HomogeneousDescription& d) {
   const RgbD scattering = params.colour("sigma_s", RgbD(0.0), 0, kUnbounded);
   d.sigma_t = absorption + scattering;
   const auto share = [](double part, double whole) { return whole > 0 ? part / whole : 0; };
-  d.albedo = {share(scattering.x, d.sigma_t.x), share(scattering.y, d.sigma_t.y), share(scattering.z, d.sigma_t.z)};
+  d.albedo = RgbD(share(scattering.x, d.sigma_t.x), share(scattering.y, d.sigma_t.y), share(scattering.z, d.sigma_t.z));
 }
 
 struct CompleteMedium {

@@ -378,19 +378,19 @@ TEST(plugins, read_absorption_and_scattering_in_place_of_extinction_and_albedo) 
   const auto milk = medium<HomogeneousDescription>(
       "<rgb name='sigma_a' value='1,2,0'/><rgb name='sigma_s' value='3,0,0'/><float name='scale' value='2'/>");
   EXPECT_EQ(milk.sigma_t, RgbD(4, 2, 0));
-  EXPECT_EQ(milk.albedo, RgbD(0.75, 0, 0));
+  EXPECT_EQ(milk.albedo, VolumeColour(RgbD(0.75, 0, 0)));
   EXPECT_EQ(milk.scale, 2);
   const auto old = medium<HomogeneousDescription>(
       "<float name='sigmaA' value='1'/><spectrum name='sigmaS' value='1, 3, 0'/>", "0.6.0");
   EXPECT_EQ(old.sigma_t, RgbD(2, 4, 1));
-  EXPECT_EQ(old.albedo, RgbD(0.5, 0.75, 0));
+  EXPECT_EQ(old.albedo, VolumeColour(RgbD(0.5, 0.75, 0)));
 }
 
 TEST(plugins, read_constant_volumes_as_colours) {
   const auto fog = medium<HomogeneousDescription>(
       "<volume type='constvolume' name='albedo'><rgb name='value' value='0.1,0.2,0.3'/></volume>"
       "<volume type='constvolume' name='sigma_t'><float name='value' value='7'/></volume>");
-  EXPECT_EQ(fog.albedo, RgbD(0.1, 0.2, 0.3));
+  EXPECT_EQ(fog.albedo, VolumeColour(RgbD(0.1, 0.2, 0.3)));
   EXPECT_EQ(fog.sigma_t, RgbD(7));
 }
 

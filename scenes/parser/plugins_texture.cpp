@@ -23,6 +23,7 @@ struct CompleteTexture {
                   "is " + in_quotes(d.name) + ", expected a name that begins with vertex_ or face_");
   }
   void operator()(ScaledTextureDescription&) const {}
+  void operator()(VolumeTextureDescription&) const {}
 };
 
 }  // namespace

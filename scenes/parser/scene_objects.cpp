@@ -156,6 +156,8 @@ SceneObjects::TextureFacts SceneObjects::facts_of(const TextureDescription& text
     const TextureFacts& inner = textures_known_[scaled->texture.value];
     return {inner.largest * max_component(scaled->scale), inner.depth + 1};
   }
+  if (const auto* volume = std::get_if<VolumeTextureDescription>(&texture.pattern))
+    return {max_component(most(volume->volume)), 1};
   const auto& board = std::get<CheckerboardDescription>(texture.pattern);
   TextureFacts facts{0, 1};
   for (const Colour& colour : {board.color0, board.color1}) {

@@ -140,8 +140,8 @@ void add_pbrt_medium(PbrtContext& context, const std::string& name, const PbrtPa
   HomogeneousDescription medium;
   medium.sigma_t = absorbed + scattered;
   const auto share = [](double part, double whole) { return whole > 0 ? part / whole : 0; };
-  medium.albedo = {share(scattered.x, medium.sigma_t.x), share(scattered.y, medium.sigma_t.y),
-                   share(scattered.z, medium.sigma_t.z)};
+  medium.albedo = RgbD(share(scattered.x, medium.sigma_t.x), share(scattered.y, medium.sigma_t.y),
+                       share(scattered.z, medium.sigma_t.z));
   if (g != 0) medium.phase = HenyeyGreensteinDescription{std::clamp(g, -0.999, 0.999)};
   p.finish();
   context.media[name] = {static_cast<std::uint32_t>(context.scene.media.size())};

@@ -181,7 +181,7 @@ TEST_F(PbrtMaterialsTest, media_lie_behind_and_before_surfaces) {
       "MediumInterface \"fog\" \"\" Material \"interface\" Shape \"sphere\"");
   const auto& fog = std::get<HomogeneousDescription>(scene.media.at(0).model);
   EXPECT_EQ(fog.sigma_t, RgbD(8, 4, 0));
-  EXPECT_EQ(fog.albedo, RgbD(.75, 1, 0));
+  EXPECT_EQ(fog.albedo, VolumeColour(RgbD(.75, 1, 0)));
   EXPECT_EQ(std::get<HenyeyGreensteinDescription>(fog.phase).g, .5);
   EXPECT_TRUE(scene.shapes[0].interior.has_value());
   EXPECT_FALSE(scene.shapes[0].exterior.has_value());

@@ -40,6 +40,11 @@ void MaterialWriter::use(const std::string& name, const VolumeColour& volume) {
   xml_.close();
 }
 
+void MaterialWriter::use(const std::string& name, const VolumeNumber& volume) {
+  if (const auto* grid = std::get_if<GridVolumeDescription>(&volume)) return use(name, VolumeColour(*grid));
+  xml_.number(name, std::get<double>(volume));
+}
+
 void MaterialWriter::use(const std::string& name, TextureIndex index) {
   const TextureDescription& texture = scene_.textures.at(index.value);
   if (texture.id.empty()) return write(texture, name);

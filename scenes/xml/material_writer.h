@@ -19,6 +19,7 @@ class MaterialWriter {
   void use(const std::string& name, const Colour& colour);
   void use(const std::string& name, const Scalar& number);
   void use(const std::string& name, const VolumeColour& volume);
+  void use(const std::string& name, const VolumeNumber& volume);
   void use(const std::string& name, TextureIndex index);
   void use(BsdfIndex index);
   void use(ShapeGroupIndex index) { xml_.leaf("ref", {{"id", scene_.groups.at(index.value).id}}); }

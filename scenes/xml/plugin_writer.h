@@ -47,6 +47,9 @@ class PluginWriter {
   void volume(const char* name, const VolumeColour& v, const scene_xml::Range&, const char*) {
     materials_.use(name, v);
   }
+  void volume_number(const char* name, const VolumeNumber& v, const scene_xml::Range&, const char*) {
+    materials_.use(name, v);
+  }
   void texture(const char* name, TextureIndex v, const char*) { materials_.use(name, v); }
   void optional_texture(const char* name, const std::optional<TextureIndex>& v, const char*) {
     if (v) materials_.use(name, *v);

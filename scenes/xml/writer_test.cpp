@@ -100,6 +100,8 @@ class RandomScene {
   TextureIndex add_texture(const std::string& id, bool alone) {
     if (pick(5) == 0) {
       scene_.textures.push_back({{}, id, MeshAttributeDescription{coin() ? "vertex_color" : "face_a_1", positive()}});
+    } else if (pick(6) == 0) {
+      scene_.textures.push_back({{}, id, VolumeTextureDescription{volume(rgb())}});
     } else if (pick(5) == 0) {
       const ScaledTextureDescription scaled{add_texture("", true), rgb()};
       scene_.textures.push_back({{}, id, scaled});
@@ -242,19 +244,20 @@ class RandomScene {
     return IsotropicDescription{};
   }
   PhaseDescription phase() {
-    if (coin()) return BlendPhaseDescription{unit(), lobe(), lobe()};
+    if (coin()) return BlendPhaseDescription{coin() ? VolumeNumber(grid()) : unit(), lobe(), lobe()};
     return std::visit([](const auto& l) -> PhaseDescription { return l; }, lobe());
   }
   VolumeColour volume(const RgbD& constant) {
     if (coin()) return constant;
-    if (coin()) return ConstantVolumeDescription{constant, similarity()};
+    return coin() ? VolumeColour(ConstantVolumeDescription{constant, similarity()}) : grid();
+  }
+  GridVolumeDescription grid() {
     const auto wrap = static_cast<TextureWrap>(pick(3));
-    return GridVolumeDescription{"a.vol", files_.grid, coin(),      static_cast<VolumeFilter>(pick(2)),
-                                 wrap,    coin(),      similarity()};
+    return {"a.vol", files_.grid, coin(), static_cast<VolumeFilter>(pick(2)), wrap, coin(), similarity()};
   }
   decltype(MediumDescription::model) medium() {
     if (coin()) return HeterogeneousDescription{volume(bright()), volume(rgb()), positive(), phase()};
-    return HomogeneousDescription{bright(), rgb(), positive(), phase()};
+    return HomogeneousDescription{bright(), coin() ? VolumeColour(rgb()) : grid(), positive(), phase()};
   }
   MediumIndex any_medium() {
     if (named_media_ > 0 && coin()) return {static_cast<std::uint32_t>(pick(named_media_))};
