@@ -78,6 +78,17 @@ void replace_raw_constant(Element& spectrum) {
   set_attribute(spectrum, "value", numbers);
 }
 
+/// The white of d65, times its scale, colours a texture.
+void replace_coloured_d65(Element& spectrum) {
+  if (value_of(spectrum, "type") != "d65") return;
+  const auto texture = std::ranges::find_if(
+      spectrum.children, [](const Element& c) { return c.tag == "texture" && !is_spectrum(value_of(c, "type")); });
+  if (texture == spectrum.children.end()) return;
+  spectrum.tag = "texture";
+  set_attribute(spectrum, "type", "scale");
+  std::erase_if(texture->attributes, [](const Attribute& a) { return a.name == "name"; });
+}
+
 }  // namespace
 
 void put_colours_in_place_of_refs(Element& scene) {
@@ -93,6 +104,7 @@ void replace_colour(Element& colour) {
   replace_constant_volume(colour);
   if (colour.tag == "texture" && is_spectrum(value_of(colour, "type"))) colour.tag = "spectrum";
   if (colour.tag == "spectrum" && value_of(colour, "type") == "rawconstant") replace_raw_constant(colour);
+  if (colour.tag == "spectrum") replace_coloured_d65(colour);
   if (colour.tag == "srgb") {
     colour.tag = "rgb";
     if (colour.find("value")) set_attribute(colour, "value", decoded(value_of(colour, "value")));

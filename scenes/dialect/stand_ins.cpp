@@ -5,6 +5,7 @@
 #include <cctype>
 #include <iterator>
 
+#include "scenes/dialect/attribute_stand_ins.h"
 #include "scenes/dialect/bsdf_stand_ins.h"
 #include "scenes/dialect/colour_stand_ins.h"
 #include "scenes/dialect/integrator_stand_ins.h"
@@ -34,6 +35,7 @@ class Translator {
   std::vector<SceneNote> run(Element& root) {
     has_media_ = has_medium(root);
     put_colours_in_place_of_refs(root);
+    put_textures_in_place_of_attributes(root);
     translate(root);
     return std::move(notes_.made);
   }
