@@ -8,6 +8,7 @@ import re
 from dataclasses import dataclass
 
 import mitsuba_departures
+import mitsuba_meter_scenes as meters
 from mitsuba_scene_parts import (BOX, FLOOR, LAMP, LAMP_PLACE, LOOK, PATH, SKY, VOLPATH, area, ball, boolean, bsdf, camera,
                                  element, emitter, film, grey, integer, number, picture, place, point, rgb, scene, shape,
                                  string, texture, value)
@@ -747,11 +748,20 @@ FOLLOWED = re.compile(r"(ply|obj) emitter(, flip_normals|, bsdf)?|to_world rotat
 def departure_cases():
     for name, text, closed_form, proof in mitsuba_departures.departures():
         yield Case(name, text, why=proof, followed=True, closed_form=closed_form)
+    for name, text, closed_form, proof in meters.beam_departures():
+        yield Case(name, text, why=proof, closed_form=closed_form)
+
+
+def measured_cases():
+    for cases in (meters.volume_value_cases, meters.meter_cases, meters.beam_cases):
+        for name, text in cases():
+            yield Case(name, text)
 
 
 def all_cases():
     cases = [case for group in (integrator_cases, sensor_cases, shape_cases, texture_cases, bsdf_cases, emitter_cases,
-                                medium_cases, cloud_cases, file_cases, spelling_cases, departure_cases) for case in group()]
+                                medium_cases, cloud_cases, file_cases, spelling_cases, measured_cases,
+                                departure_cases) for case in group()]
     for case in cases:
         case.followed = case.followed or FOLLOWED.fullmatch(case.name) is not None
     return list({case.name: case for case in cases}.values())

@@ -48,7 +48,8 @@ void scale_camera(SensorDescription& sensor, const Transform& scale, double by) 
                           camera.aperture_radius *= by;
                           camera.focus_distance *= by;
                         },
-                        [&](auto& camera) { clips(camera); }},
+                        [](RadianceMeterDescription&) {}, [](IrradianceMeterDescription&) {}, [](BatchDescription&) {},
+                        [](DistantDescription&) {}, [&](auto& camera) { clips(camera); }},
              sensor.camera);
 }
 
@@ -67,8 +68,7 @@ SceneDescription in_another_unit(SceneDescription scene, double by) {
   for (ShapeDescription& shape : scene.shapes) shape.to_world = scale * shape.to_world;
   for (EmitterDescription& emitter : scene.emitters) scale_light(emitter, scale, by);
   for (BsdfDescription& bsdf : scene.bsdfs) scale_bsdf(bsdf, by);
-  for (MediumDescription& medium : scene.media)
-    std::visit([&](auto& model) { model.scale /= by; }, medium.model);
+  for (MediumDescription& medium : scene.media) std::visit([&](auto& model) { model.scale /= by; }, medium.model);
   visit_volumes(scene, [&](auto& volume) { volume.to_world = scale * volume.to_world; });
   scale_camera(scene.sensor, scale, by);
   if (auto* photons = std::get_if<PhotonMapperDescription>(&scene.integrator.method)) {

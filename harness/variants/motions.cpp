@@ -17,6 +17,16 @@ void move_light(EmitterDescription& emitter, const Transform& motion) {
       emitter.light);
 }
 
+void move_sensor(SensorDescription& sensor, const Transform& motion) {
+  sensor.to_world = motion * sensor.to_world;
+  if (auto* batch = std::get_if<BatchDescription>(&sensor.camera))
+    for (BatchView& view : batch->views) view.to_world = motion * view.to_world;
+  auto* distant = std::get_if<DistantDescription>(&sensor.camera);
+  if (distant == nullptr) return;
+  if (auto* point = std::get_if<Vec3d>(&distant->target)) *point = motion.point(*point);
+  if (auto* area = std::get_if<TargetArea>(&distant->target)) area->to_world = motion * area->to_world;
+}
+
 /// Mirrors a symmetric shape in its local space, so that the whole transform keeps its handedness; leaves other shapes.
 Transform mirror_of_itself(const ShapeDescription& shape) {
   const Transform flip = Transform::scale({-1, 1, 1});
@@ -35,7 +45,7 @@ void move_everything(SceneDescription& scene, const Transform& motion) {
   for (ShapeDescription& shape : scene.shapes) shape.to_world = motion * shape.to_world;
   for (EmitterDescription& emitter : scene.emitters) move_light(emitter, motion);
   visit_volumes(scene, [&](auto& volume) { volume.to_world = motion * volume.to_world; });
-  scene.sensor.to_world = motion * scene.sensor.to_world;
+  move_sensor(scene.sensor, motion);
 }
 
 void mirror_in_view(SceneDescription& scene) {

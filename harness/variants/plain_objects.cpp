@@ -148,6 +148,7 @@ std::vector<PlainObject> plain_objects(const SceneDescription& scene) {
     object.name = shape.id;
     set_shape(scene, shape, object);
     set_material(scene, shape.bsdf, object);
+    if (shape.emits_along_normal) cannot_say(scene, shape.loc, "a light that shines along its normal");
     if (shape.radiance) {
       object.material = PlainMaterial::light;
       object.radiance = plain_colour(scene, *shape.radiance, shape.loc, "a light's radiance");

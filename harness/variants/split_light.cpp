@@ -9,7 +9,7 @@ namespace {
 
 bool is_plain_light(const ShapeDescription& shape) {
   return shape.radiance && std::holds_alternative<RgbD>(*shape.radiance) &&
-         std::holds_alternative<RectangleDescription>(shape.geometry);
+         std::holds_alternative<RectangleDescription>(shape.geometry) && !shape.measures;
 }
 
 /// [low, high] of the local x or y, which spans [-1, 1].

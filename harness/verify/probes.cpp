@@ -187,7 +187,7 @@ class Kinds {
     std::visit(Overloaded{[&](const PerspectiveDescription&) { add("perspective camera"); },
                           [&](const ThinLensDescription&) { add("thin lens"); },
                           [&](const OrthographicDescription&) { add("orthographic camera"); },
-                          [&](const FisheyeDescription&) { add("fisheye camera"); }},
+                          [&](const FisheyeDescription&) { add("fisheye camera"); }, [](const auto&) {}},
                scene.sensor.camera);
     for (const MediumDescription& medium : scene.media) {
       if (medium.varies())

@@ -151,6 +151,7 @@ class Shapes {
   void write(const Placed& placed) {
     const ShapeDescription& shape = *placed.shape;
     if (is_nothing(scene_, shape.bsdf) && !shape.interior && !shape.radiance) return;
+    if (shape.emits_along_normal) script_.refuse(shape.loc, "a light that shines along its normal: not written yet");
     const std::string name = "shape_" + std::to_string(written_++);
     script_.explain(name + " of " + scene_.where(shape.loc));
     const auto [form, frame] =

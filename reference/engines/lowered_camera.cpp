@@ -66,6 +66,10 @@ struct Lens {
                              "a fisheye camera's picture that is not square, or has another filter than box");
     clip(fisheye.near_clip, fisheye.far_clip);
   }
+  template <class Meter>
+  void operator()(const Meter&) const {
+    throw NotRepresentable(engine, scene.where(scene.sensor.loc), "a sensor that is no single camera");
+  }
 
  private:
   void clip(double near, double far) const {

@@ -189,6 +189,8 @@ class Lowering {
         surface.optics.specular |= back.specular;
       }
     }
+    if (shape.emits_along_normal)
+      throw Unrepresentable(description.where(shape.loc), "a light that shines along its normal: not written yet");
     if (emits(description, shape)) {
       surface.emission = PovSurface::Emission::spots;
       if (is_texture(*shape.radiance)) surface.emission = PovSurface::Emission::picture;

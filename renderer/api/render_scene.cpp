@@ -61,6 +61,7 @@ class SceneRender {
         job_(job_of(description, request)) {
     check_supported(description_, method_);
     check_job(job_, method_);
+    check_view(description_, job_);
     window_ = film_window(description_.sensor.film, request_.crop);
   }
 
@@ -143,6 +144,7 @@ class SceneRender {
 
   Rendering developed(const Film& film) {
     Rendering rendering = film.develop();
+    if (const double factor = scene_->view().camera.image_factor; factor != 1) scale_values(rendering, factor);
     const FilmDescription& whole = description_.sensor.film;
     if (window_ != Tile{0, 0, whole.width, whole.height})
       rendering.place = {window_.x0, window_.y0, whole.width, whole.height};

@@ -64,7 +64,7 @@ class BidirectionalTracer : ScalarTracer {
     Ray ray = first_ray(start);
     ++work.rays.photon;
     Vertex v;
-    v.throughput = start.flux * arriving_from_infinity(scene_interface_, start.is_infinite, outer_);
+    v.throughput = start.flux * arriving_from_infinity(scene_interface_, start.is_outside, outer_);
     if (!(max_component(v.throughput) > 0)) return;
     if (scene_interface_.has_media_or_interiors()) v.around = surroundings_at(scene_interface_, start.at.p, outer_);
     for (v.edges = 1;; ++v.edges) {

@@ -4,6 +4,7 @@
 
 #include "scenes/base/text_numbers.h"
 #include "scenes/description/emitter_kinds.h"
+#include "scenes/description/overloaded.h"
 
 namespace photonproof::inline renderer_integrators {
 namespace {
@@ -115,13 +116,44 @@ void check_direct(const SceneDescription& description, const IntegratorDescripti
                      "emitter_samples and bsdf_samples must not be negative, nor both 0");
 }
 
+bool is_single_camera(const SensorDescription& sensor) {
+  return std::visit(Overloaded{[](const RadianceMeterDescription&) { return false; },
+                               [](const IrradianceMeterDescription&) { return false; },
+                               [](const DistantDescription&) { return false; },
+                               [](const BatchDescription&) { return false; }, [](const auto&) { return true; }},
+                    sensor.camera);
+}
+
+void check_sensor(const SceneDescription& description, const Integrator& row) {
+  const SensorDescription& sensor = description.sensor;
+  if (is_single_camera(sensor)) return;
+  if (row.connects_to_camera)
+    throw InputError(description.where(sensor.loc), "integrator '" + std::string(row.name) +
+                                                        "' does not do sensors other than single cameras: use 'path'");
+  const bool has_priority = std::ranges::any_of(description.bsdfs, [](const BsdfDescription& bsdf) {
+    const auto* glass = std::get_if<DielectricDescription>(&bsdf.model);
+    return glass != nullptr && glass->priority;
+  });
+  if (std::holds_alternative<BatchDescription>(sensor.camera) &&
+      (has_priority || std::ranges::count(media_in_use(description), true) > 0))
+    throw InputError(description.where(sensor.loc),
+                     "a batch cannot be in a scene with media or priorities of dielectrics, as its cameras may be in "
+                     "different ones: render them one by one");
+}
+
 }  // namespace
 
 void check_supported(const SceneDescription& description, const IntegratorDescription& method) {
   const Integrator& row = row_of(&description, method);
   check_media(description, row);
   check_priorities(description, row);
+  check_sensor(description, row);
   check_direct(description, method);
+}
+
+void check_view(const SceneDescription& description, const RenderJob& job) {
+  if (job.view == Aov::photons && !is_single_camera(description.sensor))
+    throw InputError("--view photons", "needs a single camera, to which photons are connected");
 }
 
 void check_job(const RenderJob& job, const IntegratorDescription& method) {

@@ -10,6 +10,9 @@ namespace photonproof::inline renderer_integrators {
 /// Also throws when this program has no such integrator.
 void check_supported(const SceneDescription& description, const IntegratorDescription& method);
 
+/// Throws InputError where the job shows photons through something else than a single camera.
+void check_view(const SceneDescription& description, const RenderJob& job);
+
 /// Throws InputError with the option's name when the job uses an option that the integrator does not support.
 void check_job(const RenderJob& job, const IntegratorDescription& method);
 

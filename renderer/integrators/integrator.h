@@ -41,6 +41,7 @@ struct Integrator {
   /// Scene features that it supports.
   enum class Media { none, absorbing, all } media = Media::none;
   bool dielectric_priorities = false;
+  bool connects_to_camera = false;  ///< points of the scene, for which the camera must have one place
   /// Whether it supports all of these, in use or not.
   bool can_do(const SceneMedia& scene) const;
   Stream stream;  ///< Stream of its random numbers, shared only with integrators that share code.

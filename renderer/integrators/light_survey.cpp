@@ -199,7 +199,7 @@ class LightSurvey : ScalarTracer {
   void trace_from_light(const PathSampler& draws) {
     const LightStart start = lights_->emit(draws.one(survey_dimension::light), draws.two(survey_dimension::position),
                                            draws.two(survey_dimension::direction));
-    Rgb throughput = start.flux * arriving_from_infinity(scene_interface_, start.is_infinite, outer_);
+    Rgb throughput = start.flux * arriving_from_infinity(scene_interface_, start.is_outside, outer_);
     if (scatters_in_media_) whole_ += brightness(start.flux);
     if (!start.is_delta || !(max_component(throughput) > 0)) return;
     const float first = max_component(throughput);

@@ -42,7 +42,7 @@ class ParticleTracer : ScalarTracer {
     if (!limits_.hide_emitters) show_light(draws, work);
     const LightStart start = lights_->emit(draws.one(ptracer_dimension::light), draws.two(ptracer_dimension::position),
                                            draws.two(ptracer_dimension::direction));
-    Rgb throughput = start.flux * arriving_from_infinity(scene_interface_, start.is_infinite, outer_);
+    Rgb throughput = start.flux * arriving_from_infinity(scene_interface_, start.is_outside, outer_);
     if (!(max_component(throughput) > 0)) return;
     const Rgb first_throughput = throughput;
     Ray ray = first_ray(start);

@@ -45,7 +45,7 @@ CameraRay<F> camera_rays(const SceneView& scene, const CameraTask& task, std::ui
   }
   const CameraView& camera = scene.camera;
   Vec2<F> u_lens{F(0.5f), F(0.5f)};
-  if (camera.kind == CameraKind::thin_lens) u_lens = draw2<F>(task.sampler, ray.key, ray.index, U(lens_dimension));
+  if (takes_lens_point(camera.kind)) u_lens = draw2<F>(task.sampler, ray.key, ray.index, U(lens_dimension));
   set_ray(camera, Vec2<F>{to_float(x) + in_pixel.x, to_float(y) + in_pixel.y}, u_lens, ray);
   return ray;
 }

@@ -111,6 +111,7 @@ EmissionGuiding::EmissionGuiding(const std::vector<Light>& lights, const std::ve
                                  const SceneBall& scene, const ClearWays* ways)
     : scene_(scene), ways_(ways), views_(lights.size()) {
   for (std::size_t i = 0; i < lights.size(); ++i) {
+    if (std::holds_alternative<BeamLight>(lights[i])) continue;  // its photons have one direction from one surface
     for (const ProjectionTarget& ball : seen) {
       if (is_infinite(lights[i])) {
         ProjectionTarget place = ball;

@@ -28,6 +28,8 @@ SceneLights::~SceneLights() = default;
 bool SceneLights::is_delta(std::uint32_t light) const { return photonproof::is_delta(lights_[light]); }
 bool SceneLights::is_infinite(std::uint32_t light) const { return photonproof::is_infinite(lights_[light]); }
 
+bool SceneLights::is_outside(std::uint32_t light) const { return photonproof::is_outside(lights_[light]); }
+
 LightSampling<float> SceneLights::chosen(std::uint32_t light, float probability) const {
   return {light, probability, words_[light].primitive};
 }
@@ -86,7 +88,7 @@ float SceneLights::pdf(const Vec3f& p, const LightStart& start) const {
 LightStart SceneLights::start_of(std::uint32_t index, const Vec2<float>& u_position,
                                  const Vec2<float>& u_direction) const {
   const Light& light = lights_[index];
-  LightStart start{{}, {}, index, is_delta(index), is_infinite(index)};
+  LightStart start{{}, {}, index, is_delta(index), is_infinite(index), is_outside(index)};
   if (!guide_.guides(index)) {
     static_cast<Emission<float>&>(start) = photonproof::emit(light, u_position, u_direction);
     start.pdfs = photonproof::emit_pdfs(light, start.at, start.direction);
@@ -159,7 +161,7 @@ float SceneLights::environment_pdf(const Vec3f& p, const Vec3f& direction) const
 
 bool emission_misses_planes(const std::vector<Surface>& surfaces, const std::vector<Light>& lights) {
   const auto is_endless = [](const Surface& s) { return std::holds_alternative<Plane>(s.geometry); };
-  const auto is_far = [](const Light& light) { return is_infinite(light); };
+  const auto is_far = [](const Light& light) { return photonproof::is_outside(light); };
   return std::ranges::any_of(surfaces, is_endless) && std::ranges::any_of(lights, is_far);
 }
 

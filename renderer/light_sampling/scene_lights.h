@@ -52,7 +52,7 @@ struct LightSeen : LightSample<float> {
 struct LightStart : Emission<float> {
   EmissionPdfs<float> pdfs;
   std::uint32_t light = no_index;
-  bool is_delta = false, is_infinite = false;
+  bool is_delta = false, is_infinite = false, is_outside = false;
 };
 
 class SceneLights {
@@ -69,6 +69,7 @@ class SceneLights {
   const SceneBall& ball() const { return ball_; }
   bool is_delta(std::uint32_t light) const;
   bool is_infinite(std::uint32_t light) const;
+  bool is_outside(std::uint32_t light) const;
 
   /// Chooses a light for the reference point p; the probability is 0 where none can shine.
   LightSampling<float> choose(const Vec3f& p, float u) const;

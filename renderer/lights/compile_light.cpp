@@ -198,6 +198,18 @@ LightTexture TextureLookup::operator()(TextureIndex texture, const std::string& 
   return [textures = textures_, texture](const Vec2<float>& uv) { return textures->colour(texture.value, uv); };
 }
 
+namespace {
+
+Light beam_of(const Surface& surface, const Rgb& irradiance) {
+  if (const auto* disk = std::get_if<Disk>(&surface.geometry))
+    return BeamLight({disk->center, disk->axis_x, disk->axis_y, disk->normal, true}, irradiance);
+  const auto& quad = std::get<Quad>(surface.geometry);  // the parser refuses other shapes
+  const Vec3f half_u = quad.edge_u * 0.5f, half_v = quad.edge_v * 0.5f;
+  return BeamLight({quad.corner + half_u + half_v, half_u, half_v, quad.normal, false}, irradiance);
+}
+
+}  // namespace
+
 Light compile_surface_light(const Surface& surface, const ShapeDescription& shape, const Transform& to_world,
                             const TextureLookup& texture, const std::string& where) {
   const LightShaper shaper{surface, shape, to_world, where};
@@ -205,6 +217,7 @@ Light compile_surface_light(const Surface& surface, const ShapeDescription& shap
                                     return AreaLight(std::visit(shaper, surface.geometry), texture(index, where));
                                   },
                                   [&](const RgbD& radiance) {
+                                    if (shape.emits_along_normal) return beam_of(surface, Rgb(radiance));
                                     return shape.emits_by_vertex_normals ? smooth_mesh_light(surface, Rgb(radiance))
                                                                          : plain_light(shaper, Rgb(radiance));
                                   }};

@@ -7,6 +7,7 @@
 #include <type_traits>
 
 #include "renderer/lights/light_area.h"
+#include "renderer/lights/light_beam.h"
 #include "renderer/lights/light_environment.h"
 #include "renderer/lights/light_ies.h"
 #include "renderer/lights/light_kinds.h"
@@ -17,8 +18,8 @@
 namespace photonproof::inline renderer_lights {
 
 /// A light's index is its kind in the kernels' tables.
-using Light =
-    LightKinds::VariantWith<AreaLight, EnvironmentLight, IesLight, TexturedSpotLight, ProjectorLight, SmoothMeshLight>;
+using Light = LightKinds::VariantWith<AreaLight, EnvironmentLight, IesLight, TexturedSpotLight, ProjectorLight,
+                                      SmoothMeshLight, BeamLight>;
 
 /// Value of LightWords::kind for this light.
 inline std::uint32_t kernel_kind(const Light& light) {
@@ -31,6 +32,8 @@ inline bool is_delta(const Light& light) {
 inline bool is_infinite(const Light& light) {
   return std::visit([](const auto& l) { return l.is_infinite; }, light);
 }
+/// Whether it shines from beyond the scene.
+inline bool is_outside(const Light& light) { return is_infinite(light) && !std::holds_alternative<BeamLight>(light); }
 inline Rgb flux(const Light& light) {
   return std::visit([](const auto& l) { return l.flux(); }, light);
 }

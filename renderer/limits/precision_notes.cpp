@@ -47,7 +47,16 @@ struct PixelAngle {
   double operator()(const FisheyeDescription& camera) const {
     return camera.fov_degrees * std::numbers::pi / 180 / std::min(film.width, film.height);
   }
-  double operator()(const OrthographicDescription&) const { return std::numeric_limits<double>::infinity(); }
+  double operator()(const BatchDescription& batch) const {
+    double least = std::numeric_limits<double>::infinity();
+    for (const BatchView& view : batch.views) least = std::min(least, std::visit(*this, view.camera));
+    return least;
+  }
+  /// An orthographic camera's or a meter's.
+  template <class Other>
+  double operator()(const Other&) const {
+    return std::numeric_limits<double>::infinity();
+  }
 };
 
 /// Allowed miss of the point in focus by rays from all over a lens, as a part of a pixel. Also the largest tangent of

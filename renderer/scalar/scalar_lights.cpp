@@ -12,7 +12,7 @@ ScalarLights::ScalarLights(const SceneInterface& scene)
 SegmentEnd ScalarLights::end(std::uint32_t light, const LightPoint<float>& at) const {
   const std::uint32_t first = scene_interface_.view().light_words[light].primitive;
   return {at.p, at.normal, first == no_index ? no_index : first + at.triangle, surface_[light],
-          lights_.is_infinite(light)};
+          lights_.is_outside(light)};
 }
 
 LightPoint<float> ScalarLights::point(const Interaction& met) const {

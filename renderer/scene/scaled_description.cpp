@@ -15,6 +15,19 @@ struct CameraScaler {
   void operator()(OrthographicDescription& camera) const {
     camera.far_clip = camera.near_clip + (camera.far_clip - camera.near_clip) * factor;
   }
+  void operator()(RadianceMeterDescription&) const {}
+  void operator()(IrradianceMeterDescription&) const {}
+  void operator()(DistantDescription& camera) const {
+    if (auto* point = std::get_if<Vec3d>(&camera.target)) *point = *point * factor;
+    if (auto* area = std::get_if<TargetArea>(&camera.target))
+      area->to_world = Transform::scale(Vec3d(factor)) * area->to_world;
+  }
+  void operator()(BatchDescription& batch) const {
+    for (BatchView& view : batch.views) {
+      view.to_world = Transform::scale(Vec3d(factor)) * view.to_world;
+      std::visit(*this, view.camera);
+    }
+  }
   template <class Camera>
   void operator()(Camera& camera) const {
     clip(camera);

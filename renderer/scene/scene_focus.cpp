@@ -86,7 +86,10 @@ struct Aov {
                    [&](const OrthographicDescription& parallel) {
                      near = parallel.near_clip;
                      half_width = length(sensor.to_world.vector({1, 0, 0})) * other / sensor.film.width;
-                   }},
+                   },
+                   [&](const RadianceMeterDescription&) { see_cone(0, 1); },
+                   // scene_focus() does without those that are nowhere or in several places.
+                   [](const auto&) {}},
         sensor.camera);
   }
 
@@ -119,6 +122,10 @@ double weighted_median(std::vector<Part>& parts, Value&& value) {
 }  // namespace
 
 std::optional<SceneFocus> scene_focus(const SceneDescription& description) {
+  const auto& camera = description.sensor.camera;
+  if (std::holds_alternative<DistantDescription>(camera) || std::holds_alternative<BatchDescription>(camera) ||
+      std::holds_alternative<IrradianceMeterDescription>(camera))
+    return std::nullopt;
   const Aov view(description.sensor);
   const ShapeExtents extents(description);
   Nearness nearness(description);

@@ -92,7 +92,13 @@ SceneParts::SceneParts(const SceneDescription& in_its_unit, int width_, int heig
     plain.push_back(is_plain(bsdfs, surface) ? 1 : 0);
     bsdfs.for_each_leaf(surface.bsdf, [&](const Bsdf& leaf, bool) { bsdf_kinds |= 1u << leaf.index(); });
   }
-  camera = compile_camera(description.sensor, width, height, frame.moved);
+  camera = compile_camera(
+      description.sensor, width, height,
+      {frame.moved, Vec3d(ball.center), ball.radius, frame.coordinate_floor, measuring_shape(description)});
+  camera_parts =
+      std::make_shared<const std::vector<CameraView>>(compile_parts(description.sensor, width, height, frame.moved));
+  camera.part_count = static_cast<std::uint32_t>(camera_parts->size());
+  camera.parts = camera_parts->data();
 }
 
 }  // namespace photonproof::inline renderer_scene

@@ -27,6 +27,7 @@ struct SceneParts {
   ReconstructionFilter filter;
   bool sample_border;
   CameraView camera;
+  std::shared_ptr<const std::vector<CameraView>> camera_parts;  ///< of a batch; `camera` points to them
   std::shared_ptr<const Textures> textures;
   SceneMedia media;
   BsdfTable bsdfs;

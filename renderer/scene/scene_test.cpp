@@ -52,7 +52,7 @@ TEST(camera, looks_through_the_pixels_mitsuba_does) {
   test::set_camera(d, Transform::look_at({0, 0, 0}, {0, 0, -1}, {0, 1, 0}), 90, 10);
   // The middle of the corner pixel is half a pixel, 1/20 and 1/10 of the way to the centre, inside the edge.
   SceneView view;
-  view.camera = compile_camera(d.sensor, 20, 10, {0, 0, 0});
+  view.camera = compile_camera(d.sensor, 20, 10, {});
   const Vec3f top_left = test::ray_through_pixel(view, 0, 0).direction;
   EXPECT_NEAR(top_left.x / -top_left.z, -0.95f, 1e-6f);
   EXPECT_NEAR(top_left.y / -top_left.z, 0.45f, 1e-6f);
@@ -66,7 +66,7 @@ TEST(camera, rays_start_on_the_near_plane) {
   test::set_camera(d, Transform::look_at({0, 0, 150}, {0, 0, 0}, {0, 1, 0}), 52.63, 10);
   std::get<PerspectiveDescription>(d.sensor.camera).near_clip = 100.1;
   SceneView view;
-  view.camera = compile_camera(d.sensor, 10, 10, {0, 0, 0});
+  view.camera = compile_camera(d.sensor, 10, 10, {});
   const Vec3f origin = test::ray_through_pixel(view, 0, 0).origin;
   EXPECT_NEAR(origin.z, 49.9f, 1e-4f);
   EXPECT_NEAR(origin.x, -0.9f * 49.505f, 0.02f);  // 100.1 tan(26.315 degrees) = 49.505, half a pixel inside the edge

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "renderer/sensor/reconstruction_filter.h"
@@ -44,6 +45,13 @@ struct Lens {
     view.max_angle = static_cast<float>(angle);
     set(angle * film_width / shorter, angle * film_height / shorter, camera.near_clip, camera.far_clip);
   }
+  /// The parts have their own lenses and near planes.
+  void operator()(const BatchDescription&) const {
+    view.kind = CameraKind::batch;
+    view.far = std::numeric_limits<float>::infinity();
+  }
+  template <class Meter>
+  void operator()(const Meter&) const {}
 
  private:
   void set(double half_width, double half_height, double near, double far) const {
@@ -56,7 +64,9 @@ struct Lens {
 
 }  // namespace
 
-CameraView compile_camera(const SensorDescription& sensor, int width, int height, const Vec3d& moved) {
+namespace {
+
+CameraView view_of(const SensorDescription& sensor, int width, int height, const Vec3d& moved) {
   CameraView view{.origin = Vec3f(sensor.to_world.point({0, 0, 0}) + moved),
                   .right = Vec3f(normalize(sensor.to_world.vector({-1, 0, 0}))),
                   .up = Vec3f(normalize(sensor.to_world.vector({0, 1, 0}))),
@@ -70,14 +80,50 @@ CameraView compile_camera(const SensorDescription& sensor, int width, int height
   return view;
 }
 
+bool is_meter(const SensorDescription& sensor) {
+  return std::holds_alternative<RadianceMeterDescription>(sensor.camera) ||
+         std::holds_alternative<IrradianceMeterDescription>(sensor.camera) ||
+         std::holds_alternative<DistantDescription>(sensor.camera);
+}
+
+}  // namespace
+
+CameraView compile_camera(const SensorDescription& sensor, int width, int height, const MeterPlace& place) {
+  CameraView view = view_of(sensor, width, height, place.moved);
+  if (is_meter(sensor)) set_meter(view, sensor, place);
+  return view;
+}
+
+std::vector<CameraView> compile_parts(const SensorDescription& sensor, int width, int height, const Vec3d& moved) {
+  const auto* batch = std::get_if<BatchDescription>(&sensor.camera);
+  if (batch == nullptr) return {};
+  std::vector<CameraView> parts;
+  for (const BatchView& part : batch->views) {
+    SensorDescription alone = sensor;
+    std::visit([&](const auto& camera) { alone.camera = camera; }, part.camera);
+    alone.to_world = part.to_world;
+    parts.push_back(view_of(alone, width / static_cast<int>(batch->views.size()), height, moved));
+  }
+  return parts;
+}
+
 float pixel_footprint(const CameraView& camera, const Vec3f& p_world) {
   const float at_unit_distance = 2 * camera.tan_y * camera.inverse_height;
   const Vec3f from_camera = p_world - camera.origin;
   switch (camera.kind) {
     case CameraKind::orthographic:
       return at_unit_distance;
+    case CameraKind::parallel:
+    case CameraKind::irradiance:
+      return 2 * length(camera.up);
     case CameraKind::fisheye:
       return at_unit_distance * length(from_camera);
+    case CameraKind::batch: {
+      float least = std::numeric_limits<float>::infinity();
+      for (std::uint32_t i = 0; i < camera.part_count; ++i)
+        if (const float f = pixel_footprint(camera.parts[i], p_world); f > 0) least = std::min(least, f);
+      return std::isfinite(least) ? least : 0;
+    }
     default:
       return at_unit_distance * dot(from_camera, camera.forward);
   }

@@ -27,9 +27,10 @@ float raster_per_solid_angle(const CameraView& camera, const Vec3f& direction) {
 }  // namespace
 
 CameraConnection connect_to_camera(const CameraView& camera, const Vec3f& p, const Vec2<float>& u_lens) {
+  CameraConnection c;
+  if (camera.kind > CameraKind::fisheye || !(camera.tan_x > 0)) return c;  // meters and batches are not connected to
   const Vec3f d = p - camera.origin;
   const float along = dot(d, camera.forward);
-  CameraConnection c;
   Vec2<float> plane;  // where the ray crosses the plane at distance 1, or the fisheye's angles
   float from_lens = 0, to_near = 0;
   if (camera.kind == CameraKind::fisheye) {

@@ -91,6 +91,12 @@ Vec2<F> lobe_offsets(const CameraView& camera, const UInt<F>& x, const UInt<F>& 
   return {across(negative_x).offset(filter, lane_min(u_x, F(1.0f))), down(negative_y).offset(filter, u.y)};
 }
 
+template <class F>
+void set_meter_ray(const CameraView& camera, const Vec2<F>& raster, const Vec2<F>& square, const Vec2<F>& u_direction,
+                   CameraRay<F>& ray);
+template <class F>
+void set_ray_of_part(const CameraView& batch, const Vec2<F>& raster, const Vec2<F>& u_lens, CameraRay<F>& ray);
+
 /// Sets the ray through a point of the raster and, with a lens, through a point of that.
 template <class F>
 void set_ray(const CameraView& camera, const Vec2<F>& raster, const Vec2<F>& u_lens, CameraRay<F>& ray) {
@@ -133,6 +139,41 @@ void set_ray(const CameraView& camera, const Vec2<F>& raster, const Vec2<F>& u_l
       ray.origin = advance(broadcast<F>(camera.origin), F(camera.near), ray.direction);
       return;
     }
+    case CameraKind::parallel:
+    case CameraKind::irradiance:
+      return set_meter_ray(camera, raster, {right, up}, u_lens, ray);
+    case CameraKind::batch:
+      return set_ray_of_part(camera, raster, u_lens, ray);
+  }
+}
+
+/// Sets the ray that starts at a place of a meter's patch.
+template <class F>
+void set_meter_ray(const CameraView& camera, const Vec2<F>& raster, const Vec2<F>& square, const Vec2<F>& u_direction,
+                   CameraRay<F>& ray) {
+  const Vec2<F> place = camera.is_round
+                            ? square_to_disc(Vec2<F>{raster.x * camera.inverse_width, raster.y * camera.inverse_height})
+                            : square;
+  const Vec3<F> forward = broadcast<F>(camera.forward);
+  ray.origin = advance(advance(broadcast<F>(camera.origin), place.x, broadcast<F>(camera.right)), place.y,
+                       broadcast<F>(camera.up));
+  ray.direction = camera.kind == CameraKind::parallel
+                      ? forward
+                      : normalize(Frame<F>(forward).to_world(square_to_cosine_hemisphere(u_direction)));
+}
+
+/// Sets each lane's ray by the camera of the batch on whose columns its place lies.
+template <class F>
+void set_ray_of_part(const CameraView& batch, const Vec2<F>& raster, const Vec2<F>& u_lens, CameraRay<F>& ray) {
+  const F across = raster.x * (batch.inverse_width * static_cast<float>(batch.part_count));
+  for (std::uint32_t i = 0; i < batch.part_count; ++i) {
+    const CameraView& camera = batch.parts[i];
+    CameraRay<F> of_part;
+    set_ray(camera, Vec2<F>{(across - static_cast<float>(i)) * camera.width, raster.y}, u_lens, of_part);
+    const Mask<F> here = i == 0 ? as_mask<F>(true) : Mask<F>(across >= static_cast<float>(i));
+    ray.origin = select(here, of_part.origin, ray.origin);
+    ray.direction = select(here, of_part.direction, ray.direction);
+    ray.valid = (here && of_part.valid) || (!here && ray.valid);
   }
 }
 

@@ -45,7 +45,7 @@ CameraView view_of(const Named& named) {
   sensor.to_world = Transform::look_at({1, 2, 3}, {-2, 1, 0}, {0.1, 1, 0}) * named.scaled;
   sensor.film.width = image_width;
   sensor.film.height = image_height;
-  return compile_camera(sensor, image_width, image_height, {0, 0, 0});
+  return compile_camera(sensor, image_width, image_height, {});
 }
 
 TEST(cameras, the_way_back_is_the_inverse_of_the_ray) {
@@ -155,7 +155,7 @@ TEST(cameras, the_field_of_view_is_along_its_axis) {
       perspective.fov_axis = axis;
       SensorDescription sensor;
       sensor.camera = perspective;
-      const CameraView camera = compile_camera(sensor, width, height, {0, 0, 0});
+      const CameraView camera = compile_camera(sensor, width, height, {});
       CameraRay<float> left, top;
       set_ray<float>(camera, {0, static_cast<float>(height) / 2}, {}, left);
       set_ray<float>(camera, {static_cast<float>(width) / 2, 0}, {}, top);
@@ -182,7 +182,7 @@ TEST(cameras, an_orthographic_film_spans_local_x_from_one_to_minus_one) {
   // Left is +x; rays start on the near plane and are parallel. Height follows the aspect: y from 2/3 to -2/3.
   SensorDescription sensor;
   sensor.camera = OrthographicDescription{};
-  const CameraView camera = compile_camera(sensor, image_width, image_height, {0, 0, 0});
+  const CameraView camera = compile_camera(sensor, image_width, image_height, {});
   CameraRay<float> ray;
   set_ray<float>(camera, {0, 0}, {}, ray);
   EXPECT_NEAR(ray.origin.x, 1, 1e-6f);
@@ -194,7 +194,7 @@ TEST(cameras, an_orthographic_film_spans_local_x_from_one_to_minus_one) {
 TEST(cameras, a_fisheyes_angle_grows_with_the_distance_from_the_middle) {
   SensorDescription sensor;
   sensor.camera = FisheyeDescription{180, 1e-2, 1e4};
-  const CameraView camera = compile_camera(sensor, image_width, image_height, {0, 0, 0});
+  const CameraView camera = compile_camera(sensor, image_width, image_height, {});
   CameraRay<float> ray;
   set_ray<float>(camera, {15, 5}, {}, ray);  // half way up: 45 degrees
   EXPECT_NEAR(ray.direction.y, std::sqrt(0.5f), 1e-6f);

@@ -9,7 +9,14 @@
 
 namespace photonproof::inline renderer_sensor {
 
-enum class CameraKind : std::uint32_t { perspective, thin_lens, orthographic, fisheye };
+/// The last ones measure: parallel rays from a patch of a plane, and rays in all directions before it by their cosine.
+/// A batch is several cameras side by side.
+enum class CameraKind : std::uint32_t { perspective, thin_lens, orthographic, fisheye, parallel, irradiance, batch };
+
+/// Whether rays need two random numbers beside their place on the film.
+inline bool takes_lens_point(CameraKind kind) {
+  return kind == CameraKind::thin_lens || kind >= CameraKind::irradiance;
+}
 
 /// The two parts of a filter with negative lobes: its values above and below 0 (negative_lobes.h).
 enum class FilterPart : std::uint32_t { positive, negative };
@@ -39,8 +46,9 @@ struct FilterView {
 };
 
 struct CameraView {
-  Vec3f origin, right, up, forward;  ///< axes unit
-  /// Half the image at the distance 1: for an orthographic camera in scene units, for a fisheye in radians.
+  Vec3f origin, right, up, forward;  ///< axes unit, but of meters
+  /// Half the image at the distance 1: for an orthographic camera in scene units, for a fisheye in radians; 0 where all
+  /// rays are one.
   float tan_x = 1, tan_y = 1;
   float inverse_width = 1, inverse_height = 1;  ///< of the film in pixels
   float near = 0, far = 0;                      ///< Distances along `forward`; for a fisheye along rays.
@@ -49,6 +57,10 @@ struct CameraView {
   CameraKind kind = CameraKind::perspective;
   float lens_radius = 0, focus_distance = 1;  ///< thin lens; the sharp plane's distance along `forward`
   float max_angle = 0;                        ///< fisheye: beyond it there is no image
+  bool is_round = false;                      ///< the patch of a meter, whose half axes are `right` and `up`
+  std::uint32_t part_count = 0;
+  const CameraView* parts = nullptr;  ///< cameras of a batch from left to right; owned by the scene
+  double image_factor = 1;            ///< of every pixel
   FilterView filter;
 };
 

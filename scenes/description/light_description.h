@@ -230,6 +230,17 @@ void describe(P& p, AreaEmitter& d) {
   p.emission_map("radiance", d.radiance, "W m^-2 sr^-1");
 }
 
+/// The emitter of a flat shape whose light leaves along the shape's normal alone.
+struct DirectionalAreaEmitter {
+  RgbD radiance = RgbD(1.0);
+};
+
+template <class P>
+void describe(P& p, DirectionalAreaEmitter& d) {
+  p.plugin("directionalarea", "in a rectangle or disk: a beam along its normal; unseen itself");
+  p.emission("radiance", d.radiance, "W m^-2 across the beam");
+}
+
 struct EmitterDescription {
   SourceLoc loc;
   std::string id;

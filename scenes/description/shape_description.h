@@ -48,6 +48,15 @@ void describe(P& p, SphereDescription& d) {
   describe_placed_shape(p);
 }
 
+/// Flat shapes.
+template <class P>
+void describe_flat_shape(P& p) {
+  describe_passive_shape(p);
+  p.nested("emitter", 1, "an `area` or `directionalarea`");
+  p.nested("sensor", 1, "an `irradiancemeter`");
+  p.nested("medium", 2, "media named `interior` and `exterior`");
+}
+
 /// [-1,1]^2 in the local xy plane, normal +z.
 struct RectangleDescription {
   static constexpr bool finite = true;
@@ -58,7 +67,7 @@ struct RectangleDescription {
 template <class P>
 void describe(P& p, RectangleDescription&) {
   p.plugin("rectangle", "[-1,1]^2 in the local xy plane, normal +z");
-  describe_placed_shape(p);
+  describe_flat_shape(p);
 }
 
 /// The unit disc in the local xy plane, normal +z; an ellipse where `to_world` scales unevenly.
@@ -71,7 +80,7 @@ struct DiskDescription {
 template <class P>
 void describe(P& p, DiskDescription&) {
   p.plugin("disk", "the unit disc in the local xy plane, normal +z");
-  describe_placed_shape(p);
+  describe_flat_shape(p);
 }
 
 /// [-1,1]^3, normals outward.
@@ -279,6 +288,8 @@ struct ShapeDescription {
   BsdfIndex bsdf;
   std::optional<Colour> radiance;                 ///< of an area emitter on the side the normal points to
   bool emits_by_vertex_normals = false;           ///< a mesh that emits by interpolated normals (as_mitsuba.h)
+  bool emits_along_normal = false;                ///< `radiance` is the irradiance of a beam along the normal, W m^-2
+  bool measures = false;                          ///< the scene's irradiancemeter is its front
   std::optional<MediumIndex> interior, exterior;  ///< behind the surface and before it
 };
 

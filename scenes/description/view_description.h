@@ -4,7 +4,9 @@
 #include <optional>
 #include <string>
 #include <variant>
+#include <vector>
 
+#include "scenes/description/meter_description.h"
 #include "scenes/description/texture_description.h"
 
 namespace photonproof::inline scenes_description {
@@ -115,6 +117,28 @@ void describe(P& p, FisheyeDescription& d) {
   describe_placed_camera(p, "turns and moves");
 }
 
+/// One picture of a batch.
+struct BatchView {
+  std::variant<PerspectiveDescription, ThinLensDescription, OrthographicDescription, FisheyeDescription> camera;
+  Transform to_world;
+  friend bool operator==(const BatchView&, const BatchView&) = default;
+};
+
+/// Cameras side by side on one film, from left to right, each on as many of its columns.
+struct BatchDescription {
+  static constexpr std::size_t most_views = 64;
+  std::vector<BatchView> views;
+  friend bool operator==(const BatchDescription&, const BatchDescription&) = default;
+};
+
+template <class P>
+void describe(P& p, BatchDescription&) {
+  p.plugin("batch", "cameras side by side on one film; not in scenes with media, nor for `bdpt` and `ptracer`");
+  p.nested("sensor", BatchDescription::most_views, "cameras of the other kinds, whose films and samplers do not count");
+  p.nested("film", 1, "a film, whose width is a multiple of the number of cameras");
+  p.nested("sampler", 1, "a sampler");
+}
+
 /// Sizes in pixels. Box: radius 0.5. Tent: radius 1. Gaussian: this deviation, cut at 4 deviations and shifted to 0
 /// there. The others have negative lobes.
 struct ReconstructionFilter {
@@ -192,7 +216,9 @@ void describe(P& p, FilmDescription& d) {
 struct SensorDescription {
   SourceLoc loc;
   std::string id;
-  std::variant<PerspectiveDescription, ThinLensDescription, OrthographicDescription, FisheyeDescription> camera;
+  std::variant<PerspectiveDescription, ThinLensDescription, OrthographicDescription, FisheyeDescription,
+               RadianceMeterDescription, IrradianceMeterDescription, DistantDescription, BatchDescription>
+      camera;
   Transform to_world;
   FilmDescription film;
   int sample_count = 4;

@@ -34,6 +34,18 @@ void store_shared_photons(Rendering& rendering) { rendering.metadata[photons_key
 
 bool shares_photons(const Rendering& rendering) { return rendering.metadata.contains(photons_key); }
 
+void scale_values(Rendering& rendering, double factor) {
+  const auto scale = [](Image& image, double by) {
+    for (float& value : image.rgb) value = static_cast<float>(double{value} * by);
+  };
+  scale(rendering.mean, factor);
+  if (rendering.variance) scale(*rendering.variance, factor * factor);
+  std::optional<MeanError> error = stored_mean_error(rendering);
+  if (!error) return;
+  for (double& e : error->standard_error) e *= factor;
+  store_mean_error(rendering, *error);
+}
+
 void store_pixels_a_splat(Rendering& rendering, double pixels) {
   rendering.metadata[splat_key] = format_number(pixels);
 }

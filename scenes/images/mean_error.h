@@ -18,6 +18,9 @@ void store_mean_error(Rendering& rendering, const MeanError& error);
 /// Empty where the image has no such metadata, or none that can be read.
 std::optional<MeanError> stored_mean_error(const Rendering& rendering);
 
+/// Multiplies every pixel, with the errors of the pixels and of their mean.
+void scale_values(Rendering& rendering, double factor);
+
 /// Pixels per splat, 1 / (integral of w^2)^2, where a reconstruction filter w wider than a pixel added light paths to
 /// the image. Neighbours are then correlated, and a sum over many pixels varies this much more than the sum of their
 /// variances. It is 1 where the image does not state it.

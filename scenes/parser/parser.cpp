@@ -71,10 +71,19 @@ class SceneReader {
       if (child.tag == tag) objects_.obstacles().attempt([&] { action(child); });
   }
 
+  /// A sensor of the scene, or of a shape.
+  struct GivenSensor {
+    const Element *sensor, *shape;
+  };
+
   void read_sensor_number(int number) {
-    std::vector<const Element*> sensors;
+    std::vector<GivenSensor> sensors;
     for (const Element& child : root_.children)
-      if (child.tag == "sensor") sensors.push_back(&child);
+      if (child.tag == "sensor") sensors.push_back({&child, nullptr});
+    for (const Element& shape : root_.children)
+      if (shape.tag == "shape")
+        for (const Element& child : shape.children)
+          if (child.tag == "sensor") sensors.push_back({&child, &shape});
     if (sensors.empty()) {
       scene_.sensor = sensor_around(scene_, false);
       scene_.notes.push_back({scene_.where(sources_.loc(root_.at)),
@@ -84,8 +93,19 @@ class SceneReader {
     if (number < 0 || static_cast<std::size_t>(number) >= sensors.size())
       throw InputError("--sensor", std::to_string(number) + " is not a sensor of the scene, expected 0 to " +
                                        std::to_string(sensors.size() - 1));
-    objects_.obstacles().attempt(
-        [&] { scene_.sensor = read_sensor(objects_, *sensors[static_cast<std::size_t>(number)]); });
+    objects_.obstacles().attempt([&] { read_given_sensor(sensors[static_cast<std::size_t>(number)]); });
+  }
+
+  void read_given_sensor(const GivenSensor& given) {
+    scene_.sensor = read_sensor(objects_, *given.sensor);
+    const bool is_irradiance = std::holds_alternative<IrradianceMeterDescription>(scene_.sensor.camera);
+    if (is_irradiance != (given.shape != nullptr))
+      sources_.fail(given.sensor->at, is_irradiance
+                                          ? "sensor 'irradiancemeter' needs a surface, expected it inside a <shape>"
+                                          : "the sensor of a shape is no 'irradiancemeter'");
+    if (given.shape == nullptr) return;
+    const SourceLoc loc = sources_.loc(given.shape->at);
+    for (ShapeDescription& shape : scene_.shapes) shape.measures = shape.loc == loc;
   }
 
   void check_children() {

@@ -86,8 +86,12 @@ VolumeColour read_volume(SceneObjects& objects, const Element& element);
 ShapeDescription read_shape(SceneObjects& objects, const Element& element);
 /// The shapes that an <shape type="shapegroup"> holds.
 ShapeGroupDescription read_shape_group(SceneObjects& objects, const Element& element);
-/// The radiance of an <emitter type="area">.
-Colour read_area_emitter(SceneObjects& objects, const Element& element);
+/// The radiance of an <emitter type="area"> or, along the normal, of a "directionalarea".
+struct ShapeEmission {
+  Colour radiance;
+  bool along_normal = false;
+};
+ShapeEmission read_shape_emitter(SceneObjects& objects, const Element& element);
 EmitterDescription read_emitter(SceneObjects& objects, const Element& element);
 SensorDescription read_sensor(SceneObjects& objects, const Element& element);
 FilmDescription read_film(SceneObjects& objects, const Element& element);

@@ -82,19 +82,23 @@ bool has_type(const Element& element, const std::string& type) {
 
 }  // namespace
 
-Colour read_area_emitter(SceneObjects& objects, const Element& element) {
+ShapeEmission read_shape_emitter(SceneObjects& objects, const Element& element) {
   for (const auto& row : scene_table())
     if (has_type(element, row.type))
       objects.sources().fail(element.find("type")->at,
                              "emitter '" + row.type + "' cannot stand in a shape, expected it directly in <scene>");
-  static const std::vector<Plugin<AreaEmitter>> shape_table = {
-      described_plugin<AreaEmitter, CompleteEmitter>(AreaEmitter{})};
-  return build_plugin(objects, element, shape_table).radiance;
+  using Emitter = std::variant<AreaEmitter, DirectionalAreaEmitter>;
+  static const std::vector<Plugin<Emitter>> shape_table = described_plugins<Emitter, CompleteEmitter>();
+  const Emitter emitter = build_plugin(objects, element, shape_table);
+  if (const auto* beam = std::get_if<DirectionalAreaEmitter>(&emitter)) return {beam->radiance, true};
+  return {std::get<AreaEmitter>(emitter).radiance};
 }
 
 EmitterDescription read_emitter(SceneObjects& objects, const Element& element) {
-  if (has_type(element, "area"))
-    objects.sources().fail(element.find("type")->at, "emitter 'area' needs a surface, expected it inside a <shape>");
+  for (const char* type : {"area", "directionalarea"})
+    if (has_type(element, type))
+      objects.sources().fail(element.find("type")->at,
+                             "emitter " + in_quotes(type) + " needs a surface, expected it inside a <shape>");
   return {objects.sources().loc(element.at), id_of(element), build_plugin(objects, element, scene_table())};
 }
 

@@ -1,14 +1,15 @@
-// Mitsuba 3's perspective, thinlens and orthographic sensors and its samplers, and the extension fisheye; defaults are
-// Mitsuba's.
+// Mitsuba 3's sensors and samplers, and the extension fisheye; defaults are Mitsuba's.
 #include <cmath>
 
 #include "scenes/description/description.h"
+#include "scenes/description/overloaded.h"
 #include "scenes/parser/plugin_reader.h"
 
 namespace photonproof::scene_xml {
 namespace {
 
 using Camera = decltype(SensorDescription::camera);
+using SingleCamera = decltype(BatchView::camera);
 
 /// Allows only turns and moves: a scaled camera would change the meaning of near_clip.
 void check_rigid(const Params& params, const Transform& t) {
@@ -19,6 +20,12 @@ void check_rigid(const Params& params, const Transform& t) {
     const bool square = std::abs(dot(axes[i], axes[(i + 1) % 3])) <= kTolerance;
     params.expect(unit && square, "to_world", "scales or shears the camera, expected a rotation and a translation");
   }
+}
+
+double far_clip_of(const SingleCamera& camera) {
+  return std::visit(Overloaded{[](const ThinLensDescription& lens) { return lens.perspective.far_clip; },
+                               [](const auto& other) { return other.far_clip; }},
+                    camera);
 }
 
 struct CompleteSensor {
@@ -44,9 +51,50 @@ struct CompleteSensor {
     check_clips(d);
     check_rigid(params, params.transform("to_world"));
   }
+  void operator()(RadianceMeterDescription&) const {
+    for (const char* name : {"origin", "direction"}) expect_alone(params, "to_world", name);
+    if (params.has("origin") != params.has("direction"))
+      params.fail(params.has("origin") ? "origin" : "direction", "is alone, expected origin and direction");
+    check_rigid(params, params.transform("to_world"));
+  }
+  void operator()(IrradianceMeterDescription&) const {}
+  void operator()(DistantDescription& d) const {
+    expect_alone(params, "to_world", "direction");
+    check_rigid(params, params.transform("to_world"));
+    if (params.has("target")) d.target = params.point("target", {0, 0, 0});
+    if (params.nested("shape").empty()) return;
+    params.expect(!params.has("target"), "target", "is given beside a shape, expected one or the other");
+    d.target = read_target(params.objects().target(params.only_nested("shape")));
+  }
+  void operator()(BatchDescription& d) const {
+    static const std::vector<Plugin<SingleCamera>> cameras = described_plugins<SingleCamera, CompleteSensor>();
+    for (const Element* element : params.nested("sensor"))
+      d.views.push_back(read_view(params.objects().target(*element), cameras));
+    if (d.views.empty())
+      params.sources().fail(params.object().at, params.title() + " is empty, expected at least one <sensor>");
+  }
   void operator()(SamplerPlugin&) const {}
 
  private:
+  TargetArea read_target(const Element& element) const {
+    const ShapeDescription shape = read_shape(params.objects(), element);
+    const bool is_disk = std::holds_alternative<DiskDescription>(shape.geometry);
+    if (!is_disk && !std::holds_alternative<RectangleDescription>(shape.geometry))
+      params.sources().fail(element.at, "the target of " + params.title() + " is no rectangle or disk");
+    return {is_disk, shape.to_world};
+  }
+  BatchView read_view(const Element& element, const std::vector<Plugin<SingleCamera>>& cameras) const {
+    const Plugin<SingleCamera>& plugin = find_plugin(params.sources(), element, cameras);
+    Params own(params.objects(), element, title_of(params.sources(), element), plugin.params, plugin.nested);
+    BatchView view;
+    view.to_world = own.transform("to_world");
+    view.camera = plugin.build(own);
+    for (const char* shutter : {"shutter_open", "shutter_close"}) own.number(shutter, 0);
+    own.finish();
+    own.expect(far_clip_of(view.camera) == PerspectiveDescription{}.far_clip, "far_clip",
+               "is not done in a batch, expected " + format_number(PerspectiveDescription{}.far_clip));
+    return view;
+  }
   template <class Any>
   void check_clips(const Any& camera) const {
     params.expect(
@@ -64,6 +112,44 @@ std::vector<Plugin<SamplerPlugin>> sampler_table() {
 
 }  // namespace
 
+namespace {
+
+/// Along `direction`, from `origin`, as Mitsuba builds it from these parameters.
+Transform along(const Vec3d& origin, const Vec3d& direction) {
+  const Vec3d up = std::abs(direction.x) > std::abs(direction.y) ? Vec3d{0, 1, 0} : Vec3d{1, 0, 0};
+  return Transform::look_at(origin, origin + direction, up);
+}
+
+void place_meter(Params& params, SensorDescription& sensor) {
+  if (!params.has("direction")) return;
+  const Vec3d origin = params.has("origin") ? params.point("origin", {0, 0, 0}) : Vec3d{0, 0, 0};
+  sensor.to_world = along(origin, unit_vector(params, "direction", {0, 0, 1}));
+}
+
+/// The film of a meter; a batch shares its film's columns.
+void check_film(const Sources& sources, const Element& element, SensorDescription& sensor) {
+  const std::string title = title_of(sources, element);
+  const std::string size = std::to_string(sensor.film.width) + " x " + std::to_string(sensor.film.height);
+  if (const auto* batch = std::get_if<BatchDescription>(&sensor.camera)) {
+    const std::string views = std::to_string(batch->views.size());
+    if (sensor.film.width % static_cast<int>(batch->views.size()) != 0)
+      sources.fail(element.at, title + " has " + views + " cameras and a film of " + size +
+                                   " pixels, expected a width that is a multiple of " + views);
+    return;
+  }
+  const bool is_meter = std::holds_alternative<RadianceMeterDescription>(sensor.camera) ||
+                        std::holds_alternative<IrradianceMeterDescription>(sensor.camera) ||
+                        std::holds_alternative<DistantDescription>(sensor.camera);
+  if (!is_meter) return;
+  if (sensor.film.width != 1 || sensor.film.height != 1)
+    sources.fail(element.at, title + " has a film of " + size + " pixels, expected 1 x 1");
+  // Every filter of one pixel has the same mean.
+  sensor.film.filter = {.kind = ReconstructionFilter::Kind::box};
+  sensor.film.sample_border = false;
+}
+
+}  // namespace
+
 SensorDescription read_sensor(SceneObjects& objects, const Element& element) {
   const Sources& sources = objects.sources();
   static const std::vector<Plugin<Camera>> cameras = described_plugins<Camera, CompleteSensor>();
@@ -77,9 +163,11 @@ SensorDescription read_sensor(SceneObjects& objects, const Element& element) {
   sensor.camera = plugin.build(params);
   params.expect(params.number("shutter_open", 0) <= params.number("shutter_close", 0), "shutter_open",
                 "is after shutter_close");
+  place_meter(params, sensor);
   params.finish();
   sensor.film.filter = {ReconstructionFilter::Kind::gaussian};
   if (!params.nested("film").empty()) sensor.film = read_film(objects, objects.target(params.only_nested("film")));
+  check_film(sources, element, sensor);
   if (!params.nested("sampler").empty())
     sensor.sample_count = build_plugin(objects, objects.target(params.only_nested("sampler")), samplers).sample_count;
   if (!params.nested("medium").empty()) sensor.medium = objects.medium(params.only_nested("medium"));

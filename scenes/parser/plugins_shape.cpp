@@ -125,6 +125,11 @@ void read_media(Params& params, ShapeDescription& shape) {
   }
 }
 
+bool is_flat(const ShapeDescription& shape) {
+  return std::holds_alternative<RectangleDescription>(shape.geometry) ||
+         std::holds_alternative<DiskDescription>(shape.geometry);
+}
+
 BsdfIndex read_surface(Params& params) {
   if (!params.nested("bsdf").empty()) return params.objects().bsdf(*params.nested("bsdf").front());
   return params.objects().default_bsdf(params.object(), !params.nested("emitter").empty());
@@ -153,7 +158,12 @@ ShapeDescription read_shape(SceneObjects& objects, const Element& element) {
     const Element& emitter = *params.nested("emitter").front();
     if (!std::visit([]<class Kind>(const Kind&) { return Kind::finite; }, shape.geometry))
       sources.fail(emitter.at, params.title() + " is infinite and cannot emit, expected a shape of finite area");
-    shape.radiance = read_area_emitter(objects, objects.target(emitter));
+    const ShapeEmission emission = read_shape_emitter(objects, objects.target(emitter));
+    if (emission.along_normal && !is_flat(shape))
+      sources.fail(emitter.at,
+                   "emitter 'directionalarea' stands in a " + plugin.type + ", expected it in a rectangle or disk");
+    shape.radiance = emission.radiance;
+    shape.emits_along_normal = emission.along_normal;
   }
   params.finish();
   return shape;

@@ -75,6 +75,7 @@ std::string all_tables() {
   shapes.push_back(rows_of(serialized));
   auto emitters = rows_of_kinds<decltype(EmitterDescription::light)>();
   emitters.push_back(rows_of<AreaEmitter>());
+  emitters.push_back(rows_of<DirectionalAreaEmitter>());
   using Kind = ReconstructionFilter::Kind;
   std::vector<PluginRows> filters, samplers;
   for (const Kind kind :

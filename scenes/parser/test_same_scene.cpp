@@ -26,6 +26,8 @@ std::string difference(const ShapeDescription& a, const ShapeDescription& b) {
   if (a.to_world != b.to_world) return ".to_world";
   if (a.flip_normals != b.flip_normals) return ".flip_normals";
   if (a.bsdf != b.bsdf) return ".bsdf";
+  if (a.measures != b.measures) return ".measures";
+  if (a.emits_along_normal != b.emits_along_normal) return ".emits_along_normal";
   if (a.interior != b.interior) return ".interior";
   if (a.exterior != b.exterior) return ".exterior";
   return a.radiance == b.radiance ? "" : ".radiance";

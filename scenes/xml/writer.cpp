@@ -17,7 +17,7 @@ class Writer {
     xml_.open("scene", {{"version", "3.0.0"}});
     IntegratorDescription integrator = scene_.integrator;
     std::visit([&](auto& method) { write("integrator", method); }, integrator.method);
-    write(scene_.sensor);
+    if (!std::holds_alternative<IrradianceMeterDescription>(scene_.sensor.camera)) write(scene_.sensor);
     materials_.write_named();
     for (const ShapeGroupDescription& group : scene_.groups) {
       xml_.open_plugin("shape", "shapegroup", group.id);
@@ -44,9 +44,30 @@ class Writer {
     xml_.close();
   }
 
+  void write(const BatchDescription& batch) {
+    for (BatchView view : batch.views) {
+      std::visit([&](auto& camera) { open("sensor", camera, ""); }, view.camera);
+      xml_.transform("to_world", view.to_world);
+      xml_.close();
+    }
+  }
+
+  void write(const DistantDescription& distant) {
+    if (const auto* point = std::get_if<Vec3d>(&distant.target)) xml_.point("target", *point);
+    const auto* area = std::get_if<TargetArea>(&distant.target);
+    if (area == nullptr) return;
+    xml_.open_plugin("shape", area->is_disk ? "disk" : "rectangle", "", "target");
+    xml_.transform("to_world", area->to_world);
+    xml_.close();
+  }
+
   void write(SensorDescription sensor) {
     std::visit([&](auto& camera) { open("sensor", camera, sensor.id); }, sensor.camera);
-    xml_.transform("to_world", sensor.to_world);
+    const auto* batch = std::get_if<BatchDescription>(&sensor.camera);
+    if (batch != nullptr) write(*batch);
+    if (const auto* distant = std::get_if<DistantDescription>(&sensor.camera)) write(*distant);
+    if (batch == nullptr && !std::holds_alternative<IrradianceMeterDescription>(sensor.camera))
+      xml_.transform("to_world", sensor.to_world);
     open("film", sensor.film, "");
     if (sensor.film.filter.kind == ReconstructionFilter::Kind::box)
       xml_.leaf("rfilter", {{"type", "box"}});
@@ -68,10 +89,14 @@ class Writer {
     }
     if (shape.interior) materials_.use("interior", *shape.interior);
     if (shape.exterior) materials_.use("exterior", *shape.exterior);
-    if (shape.radiance) {
+    if (shape.radiance && shape.emits_along_normal) {
+      DirectionalAreaEmitter beam{constant(*shape.radiance)};
+      write("emitter", beam);
+    } else if (shape.radiance) {
       AreaEmitter area_light{*shape.radiance};
       write("emitter", area_light);
     }
+    if (shape.measures) write(scene_.sensor);
     xml_.close();
   }
 
