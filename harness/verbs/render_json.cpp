@@ -16,6 +16,16 @@ std::vector<std::string> texts_of(const std::optional<LostLight>& lost) {
   return lost ? std::vector{lost->text()} : std::vector<std::string>{};
 }
 
+/// Null where the image is not denoised.
+nlohmann::ordered_json denoised_json(const std::optional<Denoised>& denoised) {
+  if (!denoised) return nullptr;
+  return {{"library", denoised->library},
+          {"version", denoised->version},
+          {"seconds", denoised->seconds},
+          {"guides", {{"images", {"albedo", "normal"}}, {"samples_per_pixel", denoised->guide_samples}}},
+          {"biased", true}};
+}
+
 }  // namespace
 
 nlohmann::ordered_json plan_json(const RenderPlan& plan) {
@@ -46,6 +56,7 @@ nlohmann::ordered_json stats_json(const RenderArguments& arguments, const Render
           {"sampler", arguments.sampler},
           {"threads", rendered.threads},
           {"interrupted", stats.interrupted},
+          {"denoised", denoised_json(rendered.denoised)},
           {"phases", stats.phases},
           {"counts", stats.counts},
           {"skipped", stats.skipped},

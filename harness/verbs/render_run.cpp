@@ -9,10 +9,12 @@
 #include "harness/verbs/render_presets.h"
 #include "renderer/api/render_identity.h"
 #include "renderer/api/render_scene.h"
+#include "renderer/denoising/oidn_library.h"
 #include "renderer/planning/integrator_name.h"
 #include "scenes/base/input_error.h"
 #include "scenes/base/json_text.h"
 #include "scenes/base/timer.h"
+#include "scenes/base/utf8.h"
 #include "scenes/description/output_files.h"
 #include "scenes/files/atomic_file.h"
 
@@ -46,6 +48,7 @@ RenderRequest request_of(const RenderArguments& arguments) {
   request.no_skip = arguments.no_skip;
   request.isa = arguments.isa;
   if (const std::vector<int>& crop = arguments.crop; !crop.empty()) request.crop = {crop[0], crop[1], crop[2], crop[3]};
+  if (arguments.denoise) request.denoise = DenoiseRequest{oidn_in_environment()};
   request.interrupt = &interrupt_flag();
   request.progress = progress_line(arguments.quiet);
   request.warn = [](const SceneNote& note) {
@@ -90,15 +93,19 @@ std::string command_line(const RenderArguments& arguments, const Rendered& rende
   return arguments.scene.path + (arguments.scene.as_mitsuba ? " --as-mitsuba" : "") + " --integrator " +
          rendered.plan.integrator + view_words(rendered.plan, " --view ") + " --seed " +
          std::to_string(arguments.seed) + " --spp " +
-         std::to_string(static_cast<std::int64_t>(samples_per_pixel(rendered.stats)));
+         std::to_string(static_cast<std::int64_t>(samples_per_pixel(rendered.stats))) +
+         (rendered.denoised ? " --denoise" : "");
 }
 
 void print_summary(const RenderArguments& arguments, const Rendered& rendered, double seconds) {
-  const auto& [image, plan, stats, threads, unsampled, broken] = rendered;
+  const auto& [image, plan, stats, threads, unsampled, broken, denoised, not_denoised] = rendered;
   std::printf("%s: %s, %dx%d, %.0f samples a pixel, %.2f s\n", arguments.output.c_str(),
               (plan.integrator + view_words(plan, ", view ")).c_str(), image.mean.width, image.mean.height,
               samples_per_pixel(stats), seconds);
   for (const std::string& choice : stats.choices) std::printf("%s\n", choice.c_str());
+  if (denoised)
+    std::printf("denoised by %s %s in %.2f s: biased, no variance layer\n", denoised->library.c_str(),
+                denoised->version.c_str(), denoised->seconds);
   std::string left_out;
   for (const RenderPlan::Decision& d : plan.decisions)
     if (d.skipped) left_out += (left_out.empty() ? "" : ", ") + std::string(skip_row(d.skip).name);
@@ -110,9 +117,11 @@ int outcome(const RenderArguments& arguments, const Rendered& rendered, const fs
   const RenderStats& stats = rendered.stats;
   const std::size_t broken = rendered.non_finite_values;
   if (broken > 0) std::fprintf(stderr, "%s: %zu values are not finite\n", arguments.output.c_str(), broken);
+  if (!rendered.not_denoised.empty())
+    std::fprintf(stderr, "%s: not denoised: %s\n", arguments.output.c_str(), printable(rendered.not_denoised).c_str());
   if (!stats.checkpoint_problem.empty())
     std::fprintf(stderr, "no checkpoint could be left: %s\n", stats.checkpoint_problem.c_str());
-  if (!stats.interrupted) return broken > 0 ? 1 : 0;
+  if (!stats.interrupted) return broken > 0 || !rendered.not_denoised.empty() ? 1 : 0;
   std::error_code ignored;
   std::fprintf(stderr, "interrupted: wrote what there was, %.0f samples a pixel at most%s%s\n",
                samples_per_pixel(stats), rendered.unsampled_pixels > 0 ? ", some pixels have none and are black" : "",

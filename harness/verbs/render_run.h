@@ -26,6 +26,7 @@ struct RenderArguments {
   std::string view = "whole";
   std::string isa;
   std::vector<std::string> no_skip;
+  bool denoise = false;
   std::vector<int> crop;  ///< x, y, width, height; empty: the scene's
   double checkpoint_seconds = 60;
   bool resume = false;
@@ -34,8 +35,8 @@ struct RenderArguments {
   bool quiet = false;
 };
 
-/// Renders, or prints the plan. Returns the exit code: 0 done, 1 done but some values are not finite, 130 interrupted
-/// (partial results kept). Throws InputError.
+/// Renders, or prints the plan. Returns the exit code: 0 done, 1 done but some values are not finite or the image could
+/// not be denoised, 130 interrupted (partial results kept). Throws InputError.
 int run_render(const RenderArguments& arguments);
 
 }  // namespace photonproof::inline harness_verbs

@@ -1,5 +1,6 @@
 // photonproof render: a scene file to an EXR and a stats JSON beside it.
-// Exit codes: 0 done, 1 done but some values are not finite, 2 bad input, 130 interrupted (partial results kept).
+// Exit codes: 0 done, 1 done but some values are not finite or the image is not denoised, 2 bad input, 130 interrupted
+// (partial results kept).
 
 #include <CLI/CLI.hpp>
 #include <memory>
@@ -28,6 +29,8 @@ void add_output_options(CLI::App& verb, RenderArguments& arguments) {
   verb.add_option("--view", arguments.view,
                   "for teaching, with photonmapper or sppm: a part of the light, or how it was found")
       ->check(one_of(views));
+  verb.add_flag("--denoise", arguments.denoise,
+                "filter the image by Open Image Denoise, found by PHOTONPROOF_OIDN: biased, without a variance layer");
 }
 
 void add_budget_options(CLI::App& verb, RenderArguments& arguments) {
@@ -112,7 +115,7 @@ void add_render_verb(CLI::App& program, int& exit_code) {
                                       "--integrator photonmapper --seconds 30",
                                       "photonproof render scenes/library/cornell/scene.xml --plan"},
                          .exit_codes = {done,
-                                        {1, "done, but some values are not finite"},
+                                        {1, "done, but some values are not finite, or the image is not denoised"},
                                         bad_input,
                                         internal_error,
                                         {130, "interrupted; the image so far is written, --resume continues"}}});

@@ -9,6 +9,7 @@
 #include "renderer/api/request_checks.h"
 #include "renderer/core/parallel.h"
 #include "renderer/core/version.h"
+#include "renderer/denoising/denoiser.h"
 #include "renderer/integrators/check_supported.h"
 #include "renderer/integrators/integrator.h"
 #include "renderer/limits/precision_notes.h"
@@ -20,6 +21,9 @@
 
 namespace photonproof::inline renderer_api {
 namespace {
+
+constexpr const char* oidn_name = "Open Image Denoise";
+constexpr int guide_samples = 16;  // with 4, the error of `roughness` and of `lens` is a quarter and a third larger
 
 IntegratorDescription method_of(const SceneDescription& description, const RenderRequest& request) {
   IntegratorDescription method = description.integrator;
@@ -63,6 +67,9 @@ class SceneRender {
     check_job(job_, method_);
     check_view(description_, job_);
     window_ = film_window(description_.sensor.film, request_.crop);
+    if (!request_.denoise) return;
+    check_denoise(job_);
+    denoiser_.emplace(request_.denoise->library, Threads(request_.threads).count());
   }
 
   RenderPlan plan() {
@@ -89,6 +96,7 @@ class SceneRender {
     const std::vector<float>& values = rendered.image.mean.rgb;
     rendered.non_finite_values =
         static_cast<std::size_t>(std::ranges::count_if(values, [](float v) { return !std::isfinite(v); }));
+    if (denoiser_) denoise(rendered);
     rendered.plan = std::move(plan_);
     rendered.stats = std::move(stats_);
     return rendered;
@@ -98,6 +106,9 @@ class SceneRender {
   SceneParts planned_parts() {
     SceneParts parts{description_, description_.sensor.film.width, description_.sensor.film.height};
     plan_ = plan_render(analyse(parts), method_, job_);
+    if (denoiser_)
+      plan_.runs.push_back({"denoiser", oidn_name + (" " + denoiser_->version()) +
+                                            ", guided by albedo and normals: biased, without a variance layer"});
     return parts;
   }
 
@@ -114,7 +125,8 @@ class SceneRender {
   /// The scene as the plan wants it.
   void build() {
     const PhaseTimer timer(stats_.phases["compile"]);
-    check_memory(description_, window_, job_.checkpoint && job_.checkpoint->interval_seconds > 0);
+    check_memory(description_, window_,
+                 {job_.checkpoint && job_.checkpoint->interval_seconds > 0, denoiser_.has_value()});
     SceneParts parts = planned_parts();
     std::vector<SceneNote> notes = scene_notes(description_, parts);
     scene_ = std::make_unique<const Scene>(std::move(parts), plan_.scene);
@@ -166,6 +178,36 @@ class SceneRender {
     return rendering;
   }
 
+  /// An interrupt or a failure leaves the image as it was rendered.
+  void denoise(Rendered& rendered) {
+    Denoised done{oidn_name, denoiser_->version(), 0, guide_samples};
+    std::optional<NotDenoised> failed;
+    {
+      const PhaseTimer timer(done.seconds);
+      failed = denoise(rendered.image);
+    }
+    stats_.phases["denoise"] = done.seconds;
+    if (!failed) {
+      rendered.image.metadata["photonproof:denoised"] = done.library + " " + done.version + ", biased";
+      rendered.denoised = std::move(done);
+      return;
+    }
+    rendered.not_denoised = std::move(failed->why);
+    stats_.interrupted = failed->cancelled;
+  }
+
+  std::optional<NotDenoised> denoise(Rendering& rendering) {
+    std::optional<Guides> guides = trace_guides(*scene_, job_, method_.limits().hide_emitters, window_, guide_samples);
+    if (!guides) return NotDenoised{true, "it was interrupted"};
+    const auto goes_on = [this](double fraction) {
+      if (job_.progress) job_.progress(fraction, "denoiser");
+      return !job_.interrupted();
+    };
+    if (auto failed = denoiser_->filter(rendering.mean, *guides, goes_on)) return failed;
+    rendering.variance.reset();
+    return std::nullopt;
+  }
+
   /// Mitsuba's `path` and `volpath` take a visible environment for a shape in channel A.
   bool shows_environment_as_mitsuba() const {
     return description_.as_mitsuba && (plan_.integrator == "path" || plan_.integrator == "volpath") &&
@@ -192,6 +234,7 @@ class SceneRender {
   const SceneDescription& description_;
   RenderJob job_;
   Tile window_;
+  std::optional<Denoiser> denoiser_;
   RenderPlan plan_;
   RenderStats stats_;
   std::unique_ptr<const Scene> scene_;

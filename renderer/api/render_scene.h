@@ -20,6 +20,12 @@
 
 namespace photonproof::inline renderer_api {
 
+/// Asks for the render's image to be filtered by Open Image Denoise, which makes it biased.
+struct DenoiseRequest {
+  /// The library's file or folder. Empty: beside the program, or where the system's loader finds it.
+  std::string library{};
+};
+
 struct RenderRequest {
   std::string integrator{};                 ///< A name of `integrators()`. Empty: the scene's own.
   std::optional<IndirectLight> indirect{};  ///< The photon mapper's. Empty: the scene's own.
@@ -32,6 +38,7 @@ struct RenderRequest {
   std::vector<std::string> no_skip{};           ///< Names of skip_table() to switch off, or "all".
   std::string isa{};                            ///< Instruction set of the kernels. Empty: the processor's best.
   std::optional<FilmDescription::Crop> crop{};  ///< Pixels of the whole image. Empty: the scene's own.
+  std::optional<DenoiseRequest> denoise{};      ///< Empty: the image stays as it was rendered.
 
   /// Names the caller's changes to the description after it was read. Checkpoints with other changes do not fit.
   std::string preset{};
@@ -43,13 +50,23 @@ struct RenderRequest {
   std::function<void(const SceneNote& warning)> warn{};  ///< as early as possible; RenderStats::losses has all
 };
 
+/// The filter of a denoised image.
+struct Denoised {
+  std::string library, version;  ///< "Open Image Denoise", "2.5.1"
+  double seconds = 0;            ///< of the guides and the filter; wall time
+  int guide_samples = 0;         ///< camera samples a pixel of the guides
+};
+
 struct Rendered {
   Rendering image;  ///< radiance, linear Rec. 709: mean, variance of the mean, alpha where the film has it
   RenderPlan plan;
-  RenderStats stats;                  ///< with `interrupted`, the image is that of the samples so far
-  int threads = 0;                    ///< the number that rendered
-  std::size_t unsampled_pixels = 0;   ///< black without a sample, after an interrupt
-  std::size_t non_finite_values = 0;  ///< values of the mean
+  RenderStats stats;                   ///< with `interrupted`, the image is that of the samples so far
+  int threads = 0;                     ///< the number that rendered
+  std::size_t unsampled_pixels = 0;    ///< black without a sample, after an interrupt
+  std::size_t non_finite_values = 0;   ///< values of the mean
+  std::optional<Denoised> denoised{};  ///< the image is filtered and has no variance
+  /// Why an image that was to be denoised is not, in a sentence. It is then as it was rendered. Empty: no such failure.
+  std::string not_denoised{};
 };
 
 /// Renders until the budget or an interrupt ends it. Same description, request and budget in samples or photons: same

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "renderer/core/parallel.h"
+#include "renderer/passes/render_job.h"
 #include "scenes/description/description.h"
 
 namespace photonproof::inline renderer_api {
@@ -12,8 +13,16 @@ namespace photonproof::inline renderer_api {
 /// not inside the image.
 Tile film_window(const FilmDescription& film, const std::optional<FilmDescription::Crop>& asked);
 
-/// Throws InputError at the sensor when the film alone takes more memory than is free. `checkpoints`: the render keeps
-/// copies of the film for them.
-void check_memory(const SceneDescription& description, const Tile& window, bool checkpoints);
+/// Memory of a render beside its film.
+struct BesideFilm {
+  bool checkpoints = false;  ///< copies of the film
+  bool denoiser = false;     ///< guides, and the denoiser's own memory
+};
+
+/// Throws InputError at the sensor when the film and what is beside it take more memory than is free.
+void check_memory(const SceneDescription& description, const Tile& window, const BesideFilm& beside);
+
+/// Throws InputError at "--denoise" where the image is no light that a denoiser knows.
+void check_denoise(const RenderJob& job);
 
 }  // namespace photonproof::inline renderer_api

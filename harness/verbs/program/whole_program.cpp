@@ -30,6 +30,7 @@ void make_whole_program(CLI::App& program, int& exit_code) {
   add_grade_verb(program, exit_code);
   add_stress_verb(program, exit_code);
   add_decode_image_verb(program, exit_code);
+  add_denoiser_verb(program, exit_code);
   finish_program_usage(program,
                        {{0, "done, and nothing is wrong"},
                         {1, "something is wrong: a gate fails, a cell crashed, a value is not finite"},
