@@ -101,6 +101,10 @@ Gate gate_from_toml(const TomlTable& table, const GateSuite& suite, const Gate& 
   gate.budget = *budget_from_text(budget);
   gate.metric = metric_from_toml(table, scene);
   gate.parameters = parameters_from_toml(table, gate.metric);
+  if (engine.denoises && weighs_noise(gate.metric))
+    throw table.error("metric", "engine '" + engine.name +
+                                    "' denoises, which makes errors that no number of images averages out; bound a "
+                                    "metric of one image, such as relmse");
   if (gate.metric == agreement_metric && engine.trust == Trust::biased)
     throw table.error("metric", "engine '" + engine.name +
                                     "' has a known error, which agreement would find; bound it by bias or block_bias");

@@ -89,6 +89,22 @@ TEST_F(GateSuiteFile, only_an_engine_whose_command_has_a_seed_is_asked_for_indep
   EXPECT_FALSE(takes_seed("['x', '{scene}', '{output}']"));
 }
 
+TEST_F(GateSuiteFile, an_engine_that_denoises_has_gates_of_one_image_alone) {
+  const auto text = [](const std::string& metric) {
+    return std::string(head) + scene_table + "[[engine]]\nname = 'smooth'\ntitle = 's'\nbudgets = ['spp']\n" +
+           "command = ['{photonproof}', 'render', '{scene}', '-o', '{output}', '--seed', '{seed}']\n" +
+           "trust = 'biased'\ndenoise = true\n" +
+           gate("engine = 'smooth'\nbudget = 'spp=1'\nmetric = '" + metric + "'\nbound = 0.1\n");
+  };
+  EXPECT_EQ(read(text("relmse")).gates.at(0).metric, "relmse");
+  for (const char* metric : {"agreement", "bias", "block_bias"})
+    EXPECT_EQ(
+        error(text(metric)),
+        "g.toml:19:10: error: engine 'smooth' denoises, which makes errors that no number of images averages out; "
+        "bound a metric of one image, such as relmse")
+        << metric;
+}
+
 TEST_F(GateSuiteFile, mistakes_are_told_with_their_place) {
   const std::string front = std::string(head) + scene_table;
   const std::string good = "engine = 'path'\nbudget = 'spp=16'\nmetric = 'agreement'\nbound = 0.02\n";

@@ -166,6 +166,14 @@ std::string in_own_words(std::string text, const EngineCommand& command) {
   return text;
 }
 
+/// A denoised image counts only where the row says so: gates and references must know of it.
+void mark_denoised(const std::string& library, const Engine& engine, Result& result) {
+  result.caveats.push_back("denoised by " + library + ", which is biased");
+  if (engine.denoises || result.status != Status::ok) return;
+  result.status = Status::bad_image;
+  result.detail = "the image is denoised by " + library + ", and the engine's row lacks denoise = true";
+}
+
 // Whatever the engine did to its folder, and a full disk, must not end the run.
 void keep_output(const fs::path& file, const std::string& text, Result& result) try {
   if (!text.empty()) write_file_atomically(file, text);
@@ -225,6 +233,7 @@ std::optional<Result> run_engine(const EngineRun& run) {
   for (std::string& words : result.skipped) words = in_own_words(std::move(words), command);
   for (const std::string& loss : stats.losses)
     result.caveats.push_back(declared_by_engine + in_own_words(loss, command));
+  if (stats.denoised) mark_denoised(*stats.denoised, *run.engine.row, result);
   if (stats.problem) result.caveats.push_back("its stats cannot all be used: " + *stats.problem);
   return result;
 }

@@ -55,6 +55,15 @@ TEST_F(EngineRuns, good_image_is_ok_with_its_cost_and_stats) {
   EXPECT_EQ(result->image, folder_.filename() / "image.exr");
 }
 
+TEST_F(EngineRuns, denoised_image_counts_only_where_the_row_says_so) {
+  EXPECT_EQ(ending("denoises"),
+            "bad_image|the image is denoised by Denoiser 2.5, and the engine's row lacks denoise = true");
+  engine_.denoises = true;
+  EXPECT_EQ(ending("denoises"), "ok|");
+  const std::vector<std::string> caveats = run("denoises")->caveats;
+  EXPECT_EQ(std::ranges::count(caveats, "denoised by Denoiser 2.5, which is biased"), 1);
+}
+
 TEST_F(EngineRuns, image_of_the_whole_film_or_of_the_crop_is_kept_as_the_crop) {
   crop_ = FilmPart{{8, 6, width, height}, 4, 4};
   for (const char* engine : {"grey", "small"}) {

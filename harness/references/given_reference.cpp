@@ -153,6 +153,8 @@ MadeReference reference_from_files(const SuiteScene& scene, const GivenFiles& fi
 
 std::optional<MadeReference> reference_by_engine(const SuiteCommon& suite, const SuiteScene& scene,
                                                  const EngineImages& images, const EngineDraw& draw) {
+  if (images.engine.denoises)
+    throw InputError(images.engine.name, "denoises its images, whose errors no number of them averages out");
   constexpr std::uint64_t first_seed = 2'000'000'001;  // fits 31 bits, for engines whose seeds are ints
   MadeReference made{{}, begun(scene, images.engine.name)};
   const bool takes_seed = mentions(images.engine.command, "{seed}");

@@ -47,7 +47,8 @@ struct EngineDraw {
 };
 
 /// The mean of an engine's images. Their seeds begin at 2,000,000,001, which gates do not reach. Empty when
-/// interrupted. Throws InputError when an image fails, or images of an unbiased engine are all the same.
+/// interrupted. Throws InputError when an image fails, images of an unbiased engine are all the same, or the engine
+/// denoises.
 std::optional<MadeReference> reference_by_engine(const SuiteCommon& suite, const SuiteScene& scene,
                                                  const EngineImages& images, const EngineDraw& draw);
 

@@ -132,5 +132,16 @@ TEST_F(GivenReference, an_xml_that_does_not_parse_says_how_to_leave_it_to_the_en
       << message;
 }
 
+TEST_F(GivenReference, engine_that_denoises_makes_none) {
+  Engine engine;
+  engine.name = "smooth";
+  engine.command = {"true", "{scene}", "{output}", "{seed}"};
+  engine.denoises = true;
+  EXPECT_EQ(input_error_of([&] {
+              reference_by_engine({}, scene_, {engine, {"spp", 4}, 2}, {});
+            }),
+            "smooth: error: denoises its images, whose errors no number of them averages out");
+}
+
 }  // namespace
 }  // namespace photonproof::inline harness_references

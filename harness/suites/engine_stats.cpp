@@ -47,6 +47,18 @@ void read_texts(const json& stats, const char* key, std::vector<std::string>& te
   }
 }
 
+/// Null, as without the key: the image is not denoised.
+void read_denoised(const json& stats, EngineStats& out) {
+  const auto found = stats.find("denoised");
+  if (found == stats.end() || found->is_null()) return;
+  const auto text = [&](const char* key) {
+    const json value = found->is_object() ? found->value(key, json()) : json();
+    return value.is_string() ? printable(value.get<std::string>()) : std::string();
+  };
+  out.denoised = text("library") + " " + text("version");
+  if (text("library").empty()) out.problem = "'denoised' names no library";
+}
+
 }  // namespace
 
 EngineStats read_engine_stats(const std::filesystem::path& file) {
@@ -64,6 +76,7 @@ EngineStats read_engine_stats(const std::filesystem::path& file) {
     read_texts(stats, "skipped", out.skipped, out.problem);
     read_texts(stats, "losses", out.losses, out.problem);
     read_texts(stats, "cannot_find", out.cannot_find, out.problem);
+    read_denoised(stats, out);
   } catch (const json::exception&) {
     out.problem = "it is not valid JSON";
   } catch (const InputError& unreadable) {

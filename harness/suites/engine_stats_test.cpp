@@ -23,6 +23,21 @@ TEST_F(StatsFile, everything_known_is_taken_and_the_rest_ignored) {
   EXPECT_FALSE(stats.problem.has_value());
 }
 
+TEST_F(StatsFile, denoiser_is_its_library_with_its_version) {
+  const auto denoised = [&](const std::string& value) {
+    return read("{\"schema_version\": 1, \"denoised\": " + value + "}");
+  };
+  EXPECT_EQ(denoised(R"({"library": "Some Denoiser", "version": "2.5.1", "biased": true})").denoised,
+            "Some Denoiser 2.5.1");
+  EXPECT_FALSE(denoised("null").denoised.has_value());
+  EXPECT_FALSE(denoised("null").problem.has_value());
+  EXPECT_FALSE(read(R"({"schema_version": 1})").denoised.has_value());
+  for (const char* unclear : {"true", "{}", "{\"library\": 3}"}) {  // it may well be denoised
+    EXPECT_TRUE(denoised(unclear).denoised.has_value()) << unclear;
+    EXPECT_EQ(denoised(unclear).problem, "'denoised' names no library") << unclear;
+  }
+}
+
 TEST_F(StatsFile, missing_file_is_no_problem) {
   const EngineStats stats = read_engine_stats(folder_ / "none.json");
   EXPECT_TRUE(stats.phases.empty());

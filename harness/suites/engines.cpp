@@ -23,6 +23,24 @@ void check_name(const TomlTable& row, const std::string& name) {
     throw row.error("name", "'name' may hold letters, digits, '_', '.' and '-'; not '" + name + "'");
 }
 
+/// The key `denoise`: the command of this program's `render` gets the option, and the engine its marks. Precondition:
+/// the row's other keys are read.
+void read_denoise(const TomlTable& row, Engine& engine) {
+  const std::vector<std::string>& command = engine.command;
+  const bool renders = command.size() > 1 && command[0] == "{photonproof}" && command[1] == "render";
+  const bool has_option = std::find(command.begin(), command.end(), "--denoise") != command.end();
+  if (renders && has_option)
+    throw row.error("command", "write denoise = true in place of --denoise, so that reports and gates know of it");
+  if (!row.has("denoise") || !row.boolean("denoise")) return;
+  if (!renders) throw row.error("denoise", "'denoise' is of commands that begin with {photonproof} render");
+  if (engine.trust != Trust::biased)
+    throw row.error("trust", "an engine that denoises is biased; 'trust' must be \"biased\"");
+  engine.denoises = true;
+  engine.title += " (denoised, biased)";
+  engine.command.emplace_back("--denoise");
+  engine.version_commands.push_back({"{photonproof}", "denoiser"});
+}
+
 Engine engine_from_toml(const TomlTable& row) {
   Engine engine;
   engine.name = row.string("name");
@@ -40,6 +58,7 @@ Engine engine_from_toml(const TomlTable& row) {
   if (row.has("layer")) engine.layer = row.string("layer");
   if (!engine.layer.empty() && engine.image_extension != "exr")
     throw row.error("layer", "'layer' is of an EXR; the engine's 'image' is '" + engine.image_extension + "'");
+  read_denoise(row, engine);
   row.expect_no_other_keys();
   return engine;
 }

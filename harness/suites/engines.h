@@ -23,6 +23,7 @@ struct Engine {
   std::vector<std::string> budget_kinds;  ///< what {budget} may be: "spp", "photons", ...
   Trust trust = Trust::external;
   std::string image_extension = "exr";  ///< of the file it writes at {output}
+  bool denoises = false;                ///< its images are filtered, so that nothing is known of their error
   std::string layer{};                  ///< layer of that file with its picture; empty: as read_rendering chooses
 
   bool accepts(const std::string& budget_kind) const;

@@ -90,6 +90,43 @@ TEST(Engines, layer_is_of_an_exr) {
                   .starts_with("s.toml:8:9: error: 'layer' is of an EXR; the engine's 'image' is 'png'"));
 }
 
+const std::string denoising_row =
+    "name = 'mine'\ntitle = 'Mine'\ncommand = ['{photonproof}', 'render', '{scene}', '-o', '{output}']\n"
+    "versions = [['{photonproof}', '--version']]\nbudgets = ['spp']\ntrust = 'biased'\ndenoise = ";
+
+TEST(Engines, row_that_denoises_gets_the_option_the_version_and_its_marks) {
+  const auto row = [](const std::string& value) {
+    return engines_from_toml(TomlTable::parse("[[engine]]\n" + denoising_row + value, "s.toml"), {}).at(0);
+  };
+  const Engine denoised = row("true"), plain = row("false");
+  EXPECT_TRUE(denoised.denoises);
+  EXPECT_EQ(denoised.title, "Mine (denoised, biased)");
+  EXPECT_EQ(shell_line(fill_command(denoised.command, example_values())),
+            "bin/photonproof render 'my scene.xml' -o o/image.exr --denoise");
+  ASSERT_EQ(denoised.version_commands.size(), 2u);
+  EXPECT_EQ(shell_line(fill_command(denoised.version_commands[1], example_values())), "bin/photonproof denoiser");
+  EXPECT_FALSE(plain.denoises);
+  EXPECT_EQ(plain.title, "Mine");
+  EXPECT_EQ(plain.version_commands.size(), 1u);
+  EXPECT_EQ(plain.command.back(), "{output}");
+}
+
+TEST(Engines, row_that_denoises_is_biased_and_of_this_program) {
+  const auto changed = [](std::string row, const std::string& old, const std::string& fresh) {
+    return error_for(row.replace(row.find(old), old.size(), fresh));
+  };
+  for (const char* trust : {"unbiased", "external"})
+    EXPECT_TRUE(changed(denoising_row + "true", "biased", trust)
+                    .starts_with("s.toml:7:9: error: an engine that denoises is biased; 'trust' must be \"biased\""));
+  for (const char* command : {"'{photonproof}', 'povray'", "'mine', 'render'"})
+    EXPECT_TRUE(changed(denoising_row + "true", "'{photonproof}', 'render'", command)
+                    .starts_with("s.toml:8:11: error: 'denoise' is of commands that begin with {photonproof} render"));
+  for (const char* value : {"true", "false"})
+    EXPECT_TRUE(changed(denoising_row + value, "'-o'", "'--denoise', '-o'")
+                    .starts_with("s.toml:4:11: error: write denoise = true in place of --denoise, so that reports and "
+                                 "gates know of it"));
+}
+
 TEST(Engines, name_that_is_taken_is_refused) {
   EXPECT_EQ(error_for("name = 'path'\n" + std::string(good_row).substr(std::string("name = 'mine'\n").size())),
             "s.toml:2:8: error: there is an engine 'path' already\n  name = 'path'\n         ^");

@@ -98,6 +98,8 @@ case $1 in
   half) head -c 300 "$2/grey.exr" > "$3" ;;
   garbage) echo 'this is no image' > "$3" ;;
   hog) tail -n 1 /dev/zero ;;
+  denoises) cp "$2/grey.exr" "$3"
+    echo '{"schema_version": 1, "denoised": {"library": "Denoiser", "version": "2.5"}}' > "$4" ;;
   bad_stats) cp "$2/grey.exr" "$3"; echo '{"schema' > "$4" ;;
   sleeps) echo $$ > "$2/pid"; sleep 0.5; cp "$2/grey.exr" "$3" ;;
 esac

@@ -287,5 +287,15 @@ TEST_F(VerbVerify, unknown_engine_is_one_error) {
   EXPECT_NE(outcome.standard_error.find("did you mean 'path'?"), std::string::npos) << outcome.standard_error;
 }
 
+TEST_F(VerbVerify, engine_that_denoises_is_refused_only_where_it_is_chosen) {
+  put_scene(walls(diffuse(".5")));
+  put("rows.toml", row("smooth", render_command("'{photonproof}'", "path"), "biased") + "denoise = true\n");
+  const ProcessOutcome all = verify({"--engines", path("rows.toml")});
+  EXPECT_EQ(all.exit_code, 2);
+  EXPECT_EQ(all.standard_error,
+            path("rows.toml") + ": error: engine 'smooth' denoises; verify compares estimates alone\n");
+  EXPECT_NE(verify({"--engines", path("rows.toml"), "--engine", "path", "--engine", "bdpt"}).exit_code, 2);
+}
+
 }  // namespace
 }  // namespace photonproof::inline harness_verify

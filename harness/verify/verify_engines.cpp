@@ -89,9 +89,12 @@ std::vector<VerifyEngine> verify_engines(const EngineChoice& choice) {
     if (find_named(rows, name) == nullptr) throw InputError("--engine", unknown_name("engine", name, rows));
   const fs::path folder = choice.rows.empty() ? fs::path(".") : fs::absolute(choice.rows).parent_path();
   std::vector<VerifyEngine> engines;
-  for (Engine& row : rows)
-    if (choice.names.empty() || std::ranges::find(choice.names, row.name) != choice.names.end())
-      engines.push_back(verifying(std::move(row), folder, choice.program));
+  for (Engine& row : rows) {
+    if (!choice.names.empty() && std::ranges::find(choice.names, row.name) == choice.names.end()) continue;
+    if (row.denoises)
+      throw InputError(choice.rows.string(), "engine '" + row.name + "' denoises; verify compares estimates alone");
+    engines.push_back(verifying(std::move(row), folder, choice.program));
+  }
   return engines;
 }
 
