@@ -117,5 +117,16 @@ TEST(beams, are_not_seen_themselves) {
     EXPECT_EQ(mean_of(rendered(scene, integrator, 16), 0), 0) << integrator;
 }
 
+TEST(beams, leave_from_the_front_alone) {
+  // The shape at z = 3 faces up.
+  const std::string scene = beam("disk", "<translate z='3'/>") + floor();
+  for (const char* integrator : {"path", "volpath", "bdpt", "ptracer", "photonmapper"})
+    EXPECT_EQ(mean_of(rendered(scene, integrator, 16), 0), 0) << integrator;
+  const std::string fog =
+      "<shape type='sphere'><bsdf type='null'/><medium type='homogeneous' name='interior'/></shape>";
+  EXPECT_EQ(mean_of(rendered(beam("disk", "<translate z='3'/>") + fog, "volpath", 16), 0), 0);
+  EXPECT_GT(mean_of(rendered(beam("disk", above) + fog, "volpath", 16), 0), 0);
+}
+
 }  // namespace
 }  // namespace photonproof::inline renderer_api
