@@ -174,9 +174,11 @@ def render_case(case, index, arguments, mitsuba, photonproof, pool):
     seed = zlib.crc32(case.name.encode()) % 10**6  # so that scenes have different noise
     if "width" not in case.text:  # the default film has 144 times the pixels of the others
         spp = 4
-    most = arguments.most
-    if '"width" value="1"' in case.text:  # so many samples as an image of the others' size
-        spp, most = 3072 * spp, 3072 * most
+    most, most_at_once = arguments.most, arguments.most
+    if '"width" value="1"' in case.text:  # as many samples as an image of the others' size
+        # Mitsuba adds samples in single precision: images of 2 million in a pixel are off by 0.1 % and more.
+        most, most_at_once = 3072 * most, 32768
+        spp = min(3072 * spp, most_at_once)
     while True:
         promise = pool.submit(photonproof.images, ours_path, spp, seed)
         problem = ""
@@ -197,7 +199,7 @@ def render_case(case, index, arguments, mitsuba, photonproof, pool):
         if "problem" in record or record["errors"] <= arguments.error / 100 or record["spp"] >= most:
             return record
         seed += SEEDS
-        spp = min(2 * spp, max(1, (most - record["spp"]) // SEEDS))
+        spp = min(2 * spp, most_at_once, max(1, (most - record["spp"]) // SEEDS))
 
 
 def key_of(case, arguments, mitsuba, photonproof):
