@@ -53,11 +53,10 @@ Medium compile(const HomogeneousDescription& d, const VolumeFrame& frame) {
   return medium;
 }
 
-Medium compile(HeterogeneousDescription d, const VolumeFrame& frame) {
-  d.scale = with_fault(d.scale);
+Medium compile(const HeterogeneousDescription& d, const VolumeFrame& frame) {
   Medium medium;
   compile_phase(d.phase, frame, medium);
-  medium.varying = std::make_shared<const VaryingMedium>(d, frame);
+  medium.varying = std::make_shared<const VaryingMedium>(d, frame, with_fault(1));
   medium.scatters = medium.varying->scatters();
   return medium;
 }

@@ -5,11 +5,11 @@
 #include <limits>
 
 namespace photonproof::inline renderer_media {
-VaryingMedium::VaryingMedium(const HeterogeneousDescription& d, const VolumeFrame& frame)
+VaryingMedium::VaryingMedium(const HeterogeneousDescription& d, const VolumeFrame& frame, double factor)
     : sigma_t_(d.sigma_t, frame),
       albedo_(d.albedo, frame),
-      scale_(static_cast<float>(d.scale)),
-      majorant_(static_cast<float>(d.scale * max_component(most(d.sigma_t)))),
+      scale_(static_cast<float>(factor * d.scale)),
+      majorant_(static_cast<float>(factor * d.scale * max_component(most(d.sigma_t)))),
       scatters_(majorant_ > 0 && max_component(most(d.albedo)) > 0) {}
 
 float VaryingMedium::next(float t, float u) const { return t - std::log1p(-u) / majorant_; }

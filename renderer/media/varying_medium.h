@@ -24,7 +24,8 @@ namespace photonproof::inline renderer_media {
 
 class VaryingMedium {
  public:
-  VaryingMedium(const HeterogeneousDescription& d, const VolumeFrame& frame);
+  /// The extinction is `factor` times that of the description.
+  VaryingMedium(const HeterogeneousDescription& d, const VolumeFrame& frame, double factor = 1);
 
   bool scatters() const { return scatters_; }
   /// A flight along a ray from 0 to `distance`, which may be infinite. `draws` serve this flight alone.
