@@ -51,7 +51,8 @@ void fail(int code, const char* words) {
   error_words = words;
 }
 
-void filter_pixels(const Filter& filter) {
+/// Unused in the library that lacks functions.
+[[maybe_unused]] void filter_pixels(const Filter& filter) {
   const Pixels &out = filter.images.at("output"), &colour = filter.images.at("color"),
                &albedo = filter.images.at("albedo"), &normal = filter.images.at("normal");
   for (std::size_t y = 0; y < out.height; ++y)
