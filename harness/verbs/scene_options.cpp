@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "harness/verbs/usage/verb_usage.h"
+#include "scenes/description/meter_film.h"
 #include "scenes/dialect/model_file.h"
 #include "scenes/parser/parser.h"
 
@@ -101,19 +102,23 @@ ParseOptions parse_options(const SceneOptions& options) {
   return parse;
 }
 
+SceneDescription sized(SceneDescription scene, const std::string& size) {
+  if (size.empty()) return scene;
+  apply_size(size, scene.sensor.film);
+  const std::string problem = film_problem(scene.sensor);
+  if (!problem.empty()) throw InputError("--size", "the scene's sensor " + problem);
+  return scene;
+}
+
 }  // namespace
 
 SceneDescription load_scene(const SceneOptions& options) {
-  SceneDescription scene = parse_scene_file(options.path, parse_options(options));
-  if (!options.size.empty()) apply_size(options.size, scene.sensor.film);
-  return scene;
+  return sized(parse_scene_file(options.path, parse_options(options)), options.size);
 }
 
 SceneDescription load_scene_into(const SceneOptions& options, const std::string& folder) {
   if (!is_model(options.path)) return load_scene(options);
-  SceneDescription scene = parse_model_file(options.path, folder, parse_options(options));
-  if (!options.size.empty()) apply_size(options.size, scene.sensor.film);
-  return scene;
+  return sized(parse_model_file(options.path, folder, parse_options(options)), options.size);
 }
 
 }  // namespace photonproof::inline harness_verbs

@@ -113,6 +113,20 @@ void add_light_notes(const SceneDescription& description, const SceneParts& scen
   }
 }
 
+/// An irradiancemeter has light from random rays alone, as in Mitsuba.
+void add_meter_notes(const SceneDescription& description, const SceneParts& scene, Notes& notes) {
+  if (!std::holds_alternative<IrradianceMeterDescription>(description.sensor.camera)) return;
+  const char* instead = "; a white diffuse floor shows it, as its radiance times pi";
+  if (std::ranges::any_of(scene.lights, [](const Light& light) { return is_delta(light); }))
+    notes.add(description.sensor.loc,
+              std::string("an irradiancemeter does not measure lights without size, which no ray meets") + instead);
+  if (std::ranges::any_of(description.emitters, [](const EmitterDescription& emitter) {
+        return std::holds_alternative<SunSkyDescription>(emitter.light);
+      }))
+    notes.add(description.sensor.loc,
+              std::string("an irradiancemeter hardly measures the sun, which few of its rays meet") + instead);
+}
+
 }  // namespace
 
 std::vector<SceneNote> scene_notes(const SceneDescription& description, const SceneParts& scene) {
@@ -121,6 +135,7 @@ std::vector<SceneNote> scene_notes(const SceneDescription& description, const Sc
   for (const BsdfDescription& bsdf : description.bsdfs) std::visit(BsdfNotes{notes, bsdf.loc}, bsdf.model);
   add_mesh_notes(description, notes);
   add_light_notes(description, scene, notes);
+  add_meter_notes(description, scene, notes);
   add_precision_notes(description, scene, notes);
   return std::move(notes.made);
 }

@@ -38,6 +38,22 @@ TEST(scene_notes, ordinary_scenes_have_none) {
   EXPECT_EQ(notes_of_scene("<bsdf type=\"phong\" id=\"b\"><float name=\"exponent\" value=\"1e7\"/></bsdf>"), "");
 }
 
+TEST(scene_notes, say_which_lights_an_irradiancemeter_does_not_measure) {
+  const std::string meter =
+      "<shape type='rectangle'><sensor type='irradiancemeter'><film type='hdrfilm'><integer name='width' value='1'/>"
+      "<integer name='height' value='1'/></film></sensor></shape>";
+  const auto notes = [&](const std::string& light) {
+    return notes_of(parse_scene_text("<scene version='3.0.0'>" + meter + light + "</scene>", "s.xml"));
+  };
+  EXPECT_EQ(notes("<emitter type='constant'/>"), "");
+  EXPECT_EQ(notes("<emitter type='point'/>"),
+            "s.xml:1:52: an irradiancemeter does not measure lights without size, which no ray meets; a white diffuse "
+            "floor shows it, as its radiance times pi\n");
+  EXPECT_EQ(notes("<emitter type='sunsky'/>"),
+            "s.xml:1:52: an irradiancemeter hardly measures the sun, which few of its rays meet; a white diffuse floor "
+            "shows it, as its radiance times pi\n");
+}
+
 /// A square, lit by a ball light of this radius above it, all of it moved, seen across 4 from `away`.
 SceneDescription far_or_large(double area_light, double moved, double away) {
   SceneDescription d;

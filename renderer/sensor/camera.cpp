@@ -8,6 +8,7 @@
 #include "renderer/sensor/reconstruction_filter.h"
 #include "scenes/base/faults.h"
 #include "scenes/description/field_of_view.h"
+#include "scenes/description/meter_film.h"
 
 namespace photonproof::inline renderer_sensor {
 namespace {
@@ -62,10 +63,6 @@ struct Lens {
   }
 };
 
-}  // namespace
-
-namespace {
-
 CameraView view_of(const SensorDescription& sensor, int width, int height, const Vec3d& moved) {
   CameraView view{.origin = Vec3f(sensor.to_world.point({0, 0, 0}) + moved),
                   .right = Vec3f(normalize(sensor.to_world.vector({-1, 0, 0}))),
@@ -78,12 +75,6 @@ CameraView view_of(const SensorDescription& sensor, int width, int height, const
                   .filter = compile_filter(sensor.film.filter, sensor.film.sample_border)};
   std::visit(Lens{view, sensor.to_world, double(width), double(height)}, sensor.camera);
   return view;
-}
-
-bool is_meter(const SensorDescription& sensor) {
-  return std::holds_alternative<RadianceMeterDescription>(sensor.camera) ||
-         std::holds_alternative<IrradianceMeterDescription>(sensor.camera) ||
-         std::holds_alternative<DistantDescription>(sensor.camera);
 }
 
 }  // namespace

@@ -77,7 +77,7 @@ struct LocalBox {
 SensorDescription sensor_around(const SceneDescription& scene, bool front) {
   Box box = LocalBox{scene}.box_of(scene.shapes);
   if (box.is_empty()) box = {Vec3d(-1.0), Vec3d(1.0)};
-  const double extent = max_component(box.high - box.low);
+  const double across = max_component(box.high - box.low), extent = across > 0 ? across : 1;
   const double distance = extent / (2 * std::tan(std::numbers::pi / 8));
   const Vec3d centre = (box.low + box.high) * 0.5;
   SensorDescription sensor;

@@ -4,6 +4,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <cstdlib>
 #include <limits>
 #include <numeric>
 #include <optional>
@@ -23,7 +24,10 @@ using Corner = std::array<std::uint32_t, 3>;
 
 class ObjReader : LineWords {
  public:
-  ObjReader(std::string_view text, const std::string& file) : LineWords(text, file) {}
+  ObjReader(std::string_view text, const std::string& file) : LineWords(text, file) {
+    constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+    if (text.starts_with(byte_order_mark)) next_ = byte_order_mark.size();
+  }
 
   TriangleMesh run() {
     for (; begin_line(); skip_line()) read_line();
@@ -63,7 +67,7 @@ class ObjReader : LineWords {
     const std::string_view digits = text[0] == '+' ? text.substr(1) : text;
     const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
     if (error == std::errc::result_out_of_range && end == digits.data() + digits.size())
-      value = std::abs(value) < 1 ? 0 : std::numeric_limits<double>::infinity();
+      value = std::strtod(std::string(digits).c_str(), nullptr);  // 0 or infinity, which from_chars does not tell
     else if (error != std::errc{} || end != digits.data() + digits.size())
       fail(word_, std::string(what) + " has " + in_quotes(text) + ", expected a number");
     if (!(std::abs(value) <= double{std::numeric_limits<float>::max()}))

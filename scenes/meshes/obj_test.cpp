@@ -68,6 +68,14 @@ TEST(obj, skips_what_it_does_not_know) {
             (Triangles{{0, 1, 2}}));
 }
 
+TEST(obj, takes_numbers_that_are_too_small_for_zero) {
+  EXPECT_EQ(parse("v 0 0 -1e-400\nv 1 0 0\nv 0 1 0\nf 1 2 3\n").positions[0], Vec3f(0, 0, 0));
+}
+
+TEST(obj, skips_a_byte_order_mark) {
+  EXPECT_EQ(parse("\xEF\xBB\xBF" + kTriangle + "f 1 2 3\n").triangles, (Triangles{{0, 1, 2}}));
+}
+
 TEST(obj, says_what_is_wrong_and_where) {
   EXPECT_EQ(message(""), "a.obj: error: has no faces, expected at least one");
   EXPECT_EQ(message("v 1 2\n"), "a.obj:1:6: error: a vertex has too few numbers");
@@ -76,6 +84,8 @@ TEST(obj, says_what_is_wrong_and_where) {
             "a.obj:1:7: error: a vertex has 'nan', expected a finite number of single precision");
   EXPECT_EQ(message("v 1 2 1e40\n"),
             "a.obj:1:7: error: a vertex has '1e40', expected a finite number of single precision");
+  EXPECT_EQ(message("v 1 2 -1e400\n"),
+            "a.obj:1:7: error: a vertex has '-1e400', expected a finite number of single precision");
   EXPECT_EQ(message(kTriangle + "f 1 2\n"), "a.obj:4:1: error: a face has 2 corners, expected at least 3");
   EXPECT_EQ(message(kTriangle + "f 1 2 4\n"), "a.obj:4:7: error: a face names vertex 4 of 3");
   EXPECT_EQ(message(kTriangle + "f 1 2 -4\n"), "a.obj:4:7: error: a face names vertex -4 of 3");

@@ -52,7 +52,7 @@ int main(int argc, char** argv) {
   const std::string &model = arguments[0], &folder = arguments[1];
   try {
     if (model.ends_with(".pbrt")) return read_pbrt_file(model, folder, allow_outside, lenient);
-    for (const std::string& remark : photonproof::write_model_scene(model, folder))
+    for (const std::string& remark : photonproof::write_model_scene(model, folder, allow_outside))
       std::printf("%s\t%s\n", column(model).c_str(), column(remark).c_str());
     return 0;
   } catch (const photonproof::InputError& error) {

@@ -7,6 +7,7 @@
 
 #include "scenes/base/input_error.h"
 #include "scenes/files/atomic_file.h"
+#include "scenes/models/model_files.h"
 
 namespace photonproof::inline scenes_models {
 namespace {
@@ -46,6 +47,7 @@ std::string ModelMaterials::texture_file(const std::string& name) {
   }
   const fs::path source = model_folder_ / fs::path(name), target = scene_folder_ / source.filename();
   std::error_code error;
+  if (!allow_outside_) check_inside(source, model_folder_);
   if (!fs::exists(source, error)) throw InputError(source.string(), "no such file");
   if (!fs::equivalent(source, target, error))
     fs::copy_file(source, target, fs::copy_options::overwrite_existing, error);

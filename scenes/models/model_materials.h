@@ -18,8 +18,14 @@ using BsdfModel = decltype(BsdfDescription::model);
 class ModelMaterials {
  public:
   ModelMaterials(const aiScene& model, const std::filesystem::path& model_folder,
-                 const std::filesystem::path& scene_folder, SceneDescription& scene, std::set<std::string>& remarks)
-      : model_(model), model_folder_(model_folder), scene_folder_(scene_folder), scene_(scene), remarks_(remarks) {}
+                 const std::filesystem::path& scene_folder, bool allow_outside, SceneDescription& scene,
+                 std::set<std::string>& remarks)
+      : model_(model),
+        model_folder_(model_folder),
+        scene_folder_(scene_folder),
+        allow_outside_(allow_outside),
+        scene_(scene),
+        remarks_(remarks) {}
 
   /// Metallic-roughness materials of glTF become a rough conductor, a rough plastic or glass; those of MTL a Phong or
   /// diffuse BSDF, or glass. Sides are alike unless light passes.
@@ -36,6 +42,7 @@ class ModelMaterials {
 
   const aiScene& model_;
   std::filesystem::path model_folder_, scene_folder_;
+  bool allow_outside_;
   SceneDescription& scene_;
   std::set<std::string>& remarks_;
 };

@@ -13,8 +13,8 @@
 #include "scenes/base/input_error.h"
 #include "scenes/files/atomic_file.h"
 #include "scenes/meshes/ply.h"
+#include "scenes/models/model_files.h"
 #include "scenes/models/model_materials.h"
-#include "scenes/models/obj_numbers.h"
 #include "scenes/xml/writer.h"
 
 namespace photonproof::inline scenes_models {
@@ -49,8 +49,10 @@ TriangleMesh mesh_of(const aiMesh& from) {
 
 class ModelScene {
  public:
-  ModelScene(const aiScene& model, const fs::path& file, const fs::path& folder)
-      : model_(model), folder_(folder), materials_(model, file.parent_path(), folder, scene_, remarks_) {}
+  ModelScene(const aiScene& model, const fs::path& file, const fs::path& folder, bool allow_outside)
+      : model_(model),
+        folder_(folder),
+        materials_(model, file.parent_path(), folder, allow_outside, scene_, remarks_) {}
 
   std::vector<std::string> write(const fs::path& file) {
     scene_.integrator.method = PathDescription{};
@@ -179,16 +181,16 @@ class ModelScene {
 
 }  // namespace
 
-std::vector<std::string> write_model_scene(const fs::path& model, const fs::path& folder) {
+std::vector<std::string> write_model_scene(const fs::path& model, const fs::path& folder, bool allow_outside) {
   Assimp::Importer importer;
-  importer.SetIOHandler(new ModelFiles);  // which the importer deletes
+  importer.SetIOHandler(new ModelFiles(model.parent_path(), allow_outside));  // which the importer deletes
   const aiScene* scene = importer.ReadFile(
       model.string(), aiProcess_Triangulate | aiProcess_SortByPType | aiProcess_ValidateDataStructure);
   if (!scene || !scene->mRootNode) {
     std::string why = importer.GetErrorString();
     throw InputError(model.string(), "cannot be read as a model: " + why.substr(0, why.find('\n')));
   }
-  return ModelScene(*scene, model, folder).write(model);
+  return ModelScene(*scene, model, folder, allow_outside).write(model);
 }
 
 }  // namespace photonproof::inline scenes_models

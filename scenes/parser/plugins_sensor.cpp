@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "scenes/description/description.h"
+#include "scenes/description/meter_film.h"
 #include "scenes/description/overloaded.h"
 #include "scenes/parser/plugin_reader.h"
 
@@ -126,23 +127,10 @@ void place_meter(Params& params, SensorDescription& sensor) {
   sensor.to_world = along(origin, unit_vector(params, "direction", {0, 0, 1}));
 }
 
-/// The film of a meter; a batch shares its film's columns.
 void check_film(const Sources& sources, const Element& element, SensorDescription& sensor) {
-  const std::string title = title_of(sources, element);
-  const std::string size = std::to_string(sensor.film.width) + " x " + std::to_string(sensor.film.height);
-  if (const auto* batch = std::get_if<BatchDescription>(&sensor.camera)) {
-    const std::string views = std::to_string(batch->views.size());
-    if (sensor.film.width % static_cast<int>(batch->views.size()) != 0)
-      sources.fail(element.at, title + " has " + views + " cameras and a film of " + size +
-                                   " pixels, expected a width that is a multiple of " + views);
-    return;
-  }
-  const bool is_meter = std::holds_alternative<RadianceMeterDescription>(sensor.camera) ||
-                        std::holds_alternative<IrradianceMeterDescription>(sensor.camera) ||
-                        std::holds_alternative<DistantDescription>(sensor.camera);
-  if (!is_meter) return;
-  if (sensor.film.width != 1 || sensor.film.height != 1)
-    sources.fail(element.at, title + " has a film of " + size + " pixels, expected 1 x 1");
+  const std::string problem = film_problem(sensor);
+  if (!problem.empty()) sources.fail(element.at, title_of(sources, element) + " " + problem);
+  if (!is_meter(sensor)) return;
   // Every filter of one pixel has the same mean.
   sensor.film.filter = {.kind = ReconstructionFilter::Kind::box};
   sensor.film.sample_border = false;

@@ -184,6 +184,8 @@ ShapeGroupDescription read_shape_group(SceneObjects& objects, const Element& ele
       fail_at(sources, *inner, "shape " + in_quotes(inner->value) + " cannot stand in a shapegroup");
     ShapeDescription shape = read_shape(objects, child);
     if (shape.radiance) sources.fail(child.at, "a shape in a shapegroup cannot emit");
+    if (std::ranges::any_of(child.children, [](const Element& inside) { return inside.tag == "sensor"; }))
+      sources.fail(child.at, "a shape in a shapegroup cannot measure");
     group.shapes.push_back(std::move(shape));
   };
   for (const Element& child : element.children) objects.obstacles().attempt([&] { read_member(child); });

@@ -64,11 +64,20 @@ void make_folder(const fs::path& folder) {
   if (error) throw InputError(folder.string(), "cannot be made: " + error.message());
 }
 
-/// Throws InputError if a file of another content would be lost.
-void check_nothing_is_lost(const fs::path& source, const fs::path& target) {
+/// Throws InputError if a file of another content would be lost, or could not be replaced.
+void check_nothing_is_lost(const fs::path& source, const fs::path& target, bool force) {
   std::error_code error;
-  if (fs::exists(target, error) && !fs::equivalent(source, target, error))
-    throw InputError(target.string(), "already exists (--force overwrites it)");
+  if (!fs::exists(target, error) || fs::equivalent(source, target, error)) return;
+  if (!force) throw InputError(target.string(), "already exists (--force overwrites it)");
+  check_replaceable(target);
+}
+
+/// Throws InputError where the scene would replace a text that it was read from.
+void check_is_not_read(const SceneDescription& scene, const fs::path& target) {
+  std::error_code error;
+  for (const std::string& file : scene.files)
+    if (fs::equivalent(file, target, error))
+      throw InputError(target.string(), "is the scene that is read, expected another folder");
 }
 
 void copy_whole(const fs::path& source, const fs::path& target) {
@@ -90,8 +99,8 @@ int run_convert(const ConvertArguments& arguments) {
   SceneDescription scene = load_scene_into(arguments.scene, scratch.path().string());
   FileNames files(fs::path(scene.files.front()).parent_path());
   visit_file_names(scene, [&](std::string& name) { files.gather(name); });
-  if (!arguments.force)
-    for (const auto& [source, name] : files.all()) check_nothing_is_lost(source, folder / name);
+  check_is_not_read(scene, target);
+  for (const auto& [source, name] : files.all()) check_nothing_is_lost(source, folder / name, arguments.force);
   make_folder(folder);
   for (const auto& [source, name] : files.all()) copy_whole(source, folder / name);
   write_file_atomically(target, write_scene(scene));

@@ -164,6 +164,65 @@ TEST_F(ConvertVerb, loses_no_file_that_another_program_left_there) {
   EXPECT_EQ(made().shapes.size(), 1u);
 }
 
+TEST_F(ConvertVerb, does_not_replace_what_it_reads) {
+  std::filesystem::create_directories(folder_ / "made");
+  const std::string scene = "<scene version='3.0.0'><sensor type='perspective'/><emitter type='constant'/></scene>";
+  put("made/scene.xml", scene);
+  EXPECT_EQ(convert("made/../made/scene.xml", {"--force"}).standard_error,
+            "made/scene.xml: error: is the scene that is read, expected another folder\n");
+  EXPECT_EQ(read_file(folder_ / "made/scene.xml"), scene);
+}
+
+TEST_F(ConvertVerb, copies_nothing_where_one_file_cannot_be_replaced) {
+  const std::string mesh = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+  put("a.obj", mesh);
+  put("b.obj", mesh);
+  std::filesystem::create_directories(folder_ / "made/b.obj");
+  std::string shapes;
+  for (const char* name : {"a.obj", "b.obj"})
+    shapes += "<shape type='obj'><string name='filename' value='" + std::string(name) + "'/></shape>";
+  put("in.xml", "<scene version='3.0.0'><sensor type='perspective'/><emitter type='constant'/>" + shapes + "</scene>");
+  EXPECT_EQ(convert("in.xml", {"--force"}).exit_code, 2);
+  EXPECT_FALSE(has("made/a.obj"));
+}
+
+TEST_F(ConvertVerb, reads_files_of_models_outside_their_folder_only_where_that_is_allowed) {
+  std::filesystem::create_directories(folder_ / "in");
+  put("secret.mtl", "newmtl a\nKd 0.1 0.2 0.3\n");
+  put("in/m.obj", "mtllib ../secret.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl a\nf 1 2 3\n");
+  const ProcessOutcome outcome = convert("in/m.obj");
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_NE(outcome.standard_error.find("is outside the model's folder (--allow-outside reads it)"), std::string::npos)
+      << outcome.standard_error;
+  EXPECT_EQ(convert("in/m.obj", {"--allow-outside"}).exit_code, 0);
+
+  put("secret.png", "private");
+  put("in/t.mtl", "newmtl a\nKd 1 1 1\nmap_Kd ../secret.png\n");
+  put("in/t.obj", "mtllib t.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nusemtl a\nf 1/1 2/1 3/1\n");
+  const ProcessOutcome textured = convert("in/t.obj", {"--force"});
+  EXPECT_EQ(textured.exit_code, 0) << textured.standard_error;
+  EXPECT_NE(textured.standard_output.find("is outside the model's folder"), std::string::npos)
+      << textured.standard_output;
+  EXPECT_FALSE(has("made/secret.png"));
+}
+
+TEST_F(ConvertVerb, places_a_camera_before_a_model_without_extent) {
+  put("m.obj", "v 1 2 3\nv 1 2 3\nv 1 2 3\nf 1 2 3\n");
+  ASSERT_EQ(convert("m.obj").exit_code, 0);
+  EXPECT_TRUE(std::isfinite(made().sensor.to_world.point({0, 0, 0}).z));
+}
+
+TEST_F(ConvertVerb, refuses_sizes_that_the_sensor_cannot_have) {
+  const std::string film =
+      "<film type='hdrfilm'><integer name='width' value='1'/><integer name='height' value='1'/></film>";
+  put("meter.xml",
+      "<scene version='3.0.0'><sensor type='radiancemeter'>" + film + "</sensor><emitter type='constant'/></scene>");
+  EXPECT_EQ(convert("meter.xml", {"--size", "4x4"}).standard_error,
+            "--size: error: the scene's sensor has a film of 4 x 4 pixels, expected 1 x 1\n");
+  EXPECT_FALSE(has("made"));
+  EXPECT_EQ(convert("meter.xml", {"--size", "1x1"}).exit_code, 0);
+}
+
 TEST_F(ConvertVerb, gives_files_of_one_name_two_and_a_file_that_is_used_twice_one) {
   std::filesystem::create_directories(folder_ / "in");
   const auto mesh = [](const char* height) { return "v 0 0 0\nv 1 0 0\nv 0 " + std::string(height) + " 0\nf 1 2 3\n"; };

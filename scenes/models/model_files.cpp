@@ -1,4 +1,4 @@
-#include "scenes/models/obj_numbers.h"
+#include "scenes/models/model_files.h"
 
 #include <assimp/MemoryIOWrapper.h>
 
@@ -7,6 +7,7 @@
 #include <limits>
 #include <memory>
 
+#include "scenes/base/input_error.h"
 #include "scenes/files/atomic_file.h"
 
 namespace photonproof::inline scenes_models {
@@ -32,7 +33,18 @@ std::string with_leading_zeros(std::string_view obj) {
   return text;
 }
 
+void check_inside(const std::filesystem::path& file, const std::filesystem::path& folder) {
+  std::error_code error;
+  const auto real = [&](const std::filesystem::path& path) {
+    return std::filesystem::weakly_canonical(path.empty() ? "." : path, error);
+  };
+  const std::filesystem::path relative = real(file).lexically_relative(real(folder));
+  if (error || relative.empty() || *relative.begin() == "..")
+    throw InputError(file.string(), "is outside the model's folder (--allow-outside reads it)");
+}
+
 Assimp::IOStream* ModelFiles::Open(const char* file, const char* mode) {
+  if (!allow_outside_) check_inside(file, folder_);
   const std::string ending = std::filesystem::path(file).extension().string();
   if (ending != ".obj" && ending != ".OBJ") return DefaultIOSystem::Open(file, mode);
   const std::string text = with_leading_zeros(read_file(file, std::numeric_limits<std::size_t>::max()));
