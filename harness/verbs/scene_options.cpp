@@ -6,7 +6,7 @@
 #include <cstdint>
 
 #include "harness/verbs/usage/verb_usage.h"
-#include "scenes/description/meter_film.h"
+#include "scenes/description/sensors.h"
 #include "scenes/dialect/model_file.h"
 #include "scenes/parser/parser.h"
 

@@ -8,7 +8,7 @@
 #include "renderer/sensor/reconstruction_filter.h"
 #include "scenes/base/faults.h"
 #include "scenes/description/field_of_view.h"
-#include "scenes/description/meter_film.h"
+#include "scenes/description/sensors.h"
 
 namespace photonproof::inline renderer_sensor {
 namespace {

@@ -5,7 +5,7 @@
 #include <iterator>
 #include <type_traits>
 
-#include "scenes/description/sensor_around.h"
+#include "scenes/description/sensors.h"
 #include "scenes/dialect/as_mitsuba.h"
 #include "scenes/dialect/element_edit.h"
 #include "scenes/dialect/model_file.h"

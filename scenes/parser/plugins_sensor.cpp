@@ -2,8 +2,8 @@
 #include <cmath>
 
 #include "scenes/description/description.h"
-#include "scenes/description/meter_film.h"
 #include "scenes/description/overloaded.h"
+#include "scenes/description/sensors.h"
 #include "scenes/parser/plugin_reader.h"
 
 namespace photonproof::scene_xml {

@@ -1,4 +1,4 @@
-#include "scenes/description/sensor_around.h"
+#include "scenes/description/sensors.h"
 
 #include <algorithm>
 #include <cmath>
@@ -91,6 +91,25 @@ SensorDescription sensor_around(const SceneDescription& scene, bool front) {
   sensor.to_world = Transform::look_at(eye, {centre.x, centre.y, centre.z}, {0, 1, 0});
   sensor.film.filter = {ReconstructionFilter::Kind::gaussian};
   return sensor;
+}
+
+bool is_meter(const SensorDescription& sensor) {
+  return std::holds_alternative<RadianceMeterDescription>(sensor.camera) ||
+         std::holds_alternative<IrradianceMeterDescription>(sensor.camera) ||
+         std::holds_alternative<DistantDescription>(sensor.camera);
+}
+
+std::string film_problem(const SensorDescription& sensor) {
+  const std::string size = std::to_string(sensor.film.width) + " x " + std::to_string(sensor.film.height) + " pixels";
+  if (const auto* batch = std::get_if<BatchDescription>(&sensor.camera)) {
+    const int views = static_cast<int>(batch->views.size());
+    if (sensor.film.width % views != 0)
+      return "has " + std::to_string(views) + " cameras and a film of " + size +
+             ", expected a width that is a multiple of " + std::to_string(views);
+  }
+  if (is_meter(sensor) && (sensor.film.width != 1 || sensor.film.height != 1))
+    return "has a film of " + size + ", expected 1 x 1";
+  return "";
 }
 
 }  // namespace photonproof::inline scenes_description
