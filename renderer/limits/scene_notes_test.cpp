@@ -46,11 +46,11 @@ TEST(scene_notes, say_which_lights_an_irradiancemeter_does_not_measure) {
     return notes_of(parse_scene_text("<scene version='3.0.0'>" + meter + light + "</scene>", "s.xml"));
   };
   EXPECT_EQ(notes("<emitter type='constant'/>"), "");
-  EXPECT_EQ(notes("<emitter type='point'/>"),
-            "s.xml:1:52: an irradiancemeter does not measure lights without size, which no ray meets; a white diffuse "
+  EXPECT_EQ(notes("<emitter type='point'><point name='position' x='0' y='0' z='1'/></emitter>"),
+            "s.xml:1:48: an irradiancemeter does not measure lights without size, which no ray meets; a white diffuse "
             "floor shows it, as its radiance times pi\n");
   EXPECT_EQ(notes("<emitter type='sunsky'/>"),
-            "s.xml:1:52: an irradiancemeter hardly measures the sun, which few of its rays meet; a white diffuse floor "
+            "s.xml:1:48: an irradiancemeter hardly measures the sun, which few of its rays meet; a white diffuse floor "
             "shows it, as its radiance times pi\n");
 }
 
