@@ -4,7 +4,7 @@
 
 #include "scenes/base/text_numbers.h"
 #include "scenes/description/emitter_kinds.h"
-#include "scenes/description/overloaded.h"
+#include "scenes/description/sensors.h"
 
 namespace photonproof::inline renderer_integrators {
 namespace {
@@ -117,11 +117,7 @@ void check_direct(const SceneDescription& description, const IntegratorDescripti
 }
 
 bool is_single_camera(const SensorDescription& sensor) {
-  return std::visit(Overloaded{[](const RadianceMeterDescription&) { return false; },
-                               [](const IrradianceMeterDescription&) { return false; },
-                               [](const DistantDescription&) { return false; },
-                               [](const BatchDescription&) { return false; }, [](const auto&) { return true; }},
-                    sensor.camera);
+  return !is_meter(sensor) && !std::holds_alternative<BatchDescription>(sensor.camera);
 }
 
 void check_sensor(const SceneDescription& description, const Integrator& row) {

@@ -9,6 +9,7 @@
 
 #include "scenes/base/input_error.h"
 #include "scenes/files/atomic_file.h"
+#include "scenes/files/inside_folder.h"
 
 namespace photonproof::inline scenes_models {
 namespace {
@@ -35,11 +36,8 @@ std::string with_leading_zeros(std::string_view obj) {
 
 void check_inside(const std::filesystem::path& file, const std::filesystem::path& folder) {
   std::error_code error;
-  const auto real = [&](const std::filesystem::path& path) {
-    return std::filesystem::weakly_canonical(path.empty() ? "." : path, error);
-  };
-  const std::filesystem::path relative = real(file).lexically_relative(real(folder));
-  if (error || relative.empty() || *relative.begin() == "..")
+  const std::filesystem::path real = real_path(file, error);
+  if (error || !is_inside(real, folder))
     throw InputError(file.string(), "is outside the model's folder (--allow-outside reads it)");
 }
 

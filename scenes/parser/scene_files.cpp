@@ -3,6 +3,7 @@
 #include "scenes/base/text_numbers.h"
 #include "scenes/curves/curve_set.h"
 #include "scenes/files/atomic_file.h"
+#include "scenes/files/inside_folder.h"
 #include "scenes/meshes/ies.h"
 #include "scenes/meshes/obj.h"
 #include "scenes/meshes/ply.h"
@@ -20,14 +21,6 @@ fs::path SceneFolders::folder_of(const Attribute& attribute) const {
   return relative.empty() ? folder : relative;
 }
 
-bool SceneFolders::is_inside(const fs::path& real) const {
-  std::error_code error;
-  const fs::path folder = scene_folder();
-  const fs::path relative =
-      real.lexically_relative(fs::weakly_canonical(fs::absolute(folder.empty() ? "." : folder), error));
-  return !error && !relative.empty() && *relative.begin() != "..";
-}
-
 SceneFolders::File SceneFolders::find_in(const std::vector<fs::path>& folders, const Attribute& name,
                                          const char* what) const {
   if (name.value.empty() || name.value.find('\0') != std::string::npos)
@@ -37,10 +30,9 @@ SceneFolders::File SceneFolders::find_in(const std::vector<fs::path>& folders, c
     const fs::path spelled = folder / name.value;
     const fs::path shown = scene_folder() / spelled;
     std::error_code error;
-    // Absolute first: weakly_canonical leaves a relative path relative when none of its parts exist.
-    const fs::path real = fs::weakly_canonical(fs::absolute(shown), error);
+    const fs::path real = real_path(shown, error);
     if (error) fail_at(sources_, name, "cannot read " + in_quotes(name.value) + ": " + error.message());
-    if (!options_.allow_outside && !is_inside(real))
+    if (!options_.allow_outside && !is_inside(real, scene_folder()))
       left = true;
     else if (fs::exists(real, error))
       return {spelled.string(), shown, real};

@@ -35,7 +35,6 @@ class SceneFolders {
   std::filesystem::path scene_folder() const;
   /// The folder of the file in which `attribute` stands, relative to the scene's.
   std::filesystem::path folder_of(const Attribute& attribute) const;
-  bool is_inside(const std::filesystem::path& real) const;
   File find_in(const std::vector<std::filesystem::path>& folders, const Attribute& name, const char* what) const;
 
   const Sources& sources_;

@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "scenes/base/text_numbers.h"
+#include "scenes/files/inside_folder.h"
 #include "scenes/meshes/ply.h"
 
 namespace photonproof::inline scenes_pbrt {
@@ -26,11 +27,9 @@ fs::path PbrtFiles::find(const std::string& name, const Place& at) const {
   if (name.empty() || name.find('\0') != std::string::npos) sources_.fail(at, "expected a file name");
   const fs::path spelled = scene_folder_ / name;
   std::error_code error;
-  const fs::path folder = fs::weakly_canonical(fs::absolute(scene_folder_.empty() ? "." : scene_folder_), error);
-  const fs::path real = fs::weakly_canonical(fs::absolute(spelled), error);
-  const fs::path relative = error ? fs::path() : real.lexically_relative(folder);
+  const fs::path real = real_path(spelled, error);
   if (error) sources_.fail(at, "cannot read " + in_quotes(name) + ": " + error.message());
-  if (!allow_outside_ && (relative.empty() || *relative.begin() == ".."))
+  if (!allow_outside_ && !is_inside(real, scene_folder_))
     sources_.fail(at, in_quotes(name) + " lies outside the scene's folder (--allow-outside permits it)");
   if (!fs::is_regular_file(real, error)) sources_.fail(at, "no such file: " + in_quotes(name));
   return spelled;

@@ -206,6 +206,12 @@ TEST_F(ConvertVerb, reads_files_of_models_outside_their_folder_only_where_that_i
   EXPECT_FALSE(has("made/secret.png"));
 }
 
+TEST_F(ConvertVerb, finds_no_missing_file_outside_the_folder) {
+  put("m.obj", "mtllib missing.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl a\nf 1 2 3\n");
+  const ProcessOutcome outcome = convert("m.obj");
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.standard_error;
+}
+
 TEST_F(ConvertVerb, places_a_camera_before_a_model_without_extent) {
   put("m.obj", "v 1 2 3\nv 1 2 3\nv 1 2 3\nf 1 2 3\n");
   ASSERT_EQ(convert("m.obj").exit_code, 0);
