@@ -64,7 +64,7 @@ struct Rendered {
   int threads = 0;                     ///< the number that rendered
   std::size_t unsampled_pixels = 0;    ///< black without a sample, after an interrupt
   std::size_t non_finite_values = 0;   ///< values of the mean
-  std::optional<Denoised> denoised{};  ///< the image is filtered and has no variance
+  std::optional<Denoised> denoised{};  ///< Present where the image is filtered. It has no variance then.
   /// Why an image that was to be denoised is not, in a sentence. It is then as it was rendered. Empty: no such failure.
   std::string not_denoised{};
 };

@@ -15,8 +15,8 @@ namespace photonproof::inline renderer_denoising {
 
 /// Means over camera samples, for the window's pixels.
 struct Guides {
-  Image albedo;  ///< directional albedo in [0,1], by one sample of the BSDF each; 0 without a surface
-  Image normal;  ///< shading normals of world space, turned to the viewer; 0 without a surface
+  Image albedo;  ///< Directional albedo in [0,1], by one sample of the BSDF each. No surface gives 0.
+  Image normal;  ///< Shading normals of world space, turned to the viewer. No surface gives 0.
 };
 
 /// Takes `samples` camera samples a pixel, by the film's filter without its negative lobes. Rays pass surfaces that let

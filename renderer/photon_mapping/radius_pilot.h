@@ -1,8 +1,8 @@
 // Tries gather radii before the first pass, on photons of a pilot and at points where camera paths of a pilot end. The
 // photons are cut into halves, which are independent. L_1(r) and L_2(r) are the light of a pixel that they give, and
-// D_i = L_i(r) - L_i(r/2). Means over pixels, relative to the image as in relmse, give
-//   `(D_1 - D_2)^2 / 4`, the variance of D with all photons, three times that of L(r);
-//   `D_1 D_2`, the square of D's expectation, from which the squared bias follows (gather_bias.h).
+// D_i = L_i(r) - L_i(r/2). Two means over pixels are taken, relative to the image as in relmse:
+//   `(D_1 - D_2)^2 / 4` has the variance of D with all photons for its mean. That is three times the variance of L(r).
+//   `D_1 D_2` has the square of D's expectation for its mean. The squared bias follows from it (gather_bias.h).
 // The product has an error of about `variance of D x sqrt(2/m)`, where m discs of the radius do not overlap. It is
 // added, since a bias that photons cannot show may be there.
 #pragma once

@@ -43,22 +43,14 @@ class Film {
 
   /// Several independent estimates of weight 1 at once: their sum, the sum of their squares, their number.
   void add(int x, int y, const RgbD& sum, const RgbD& sum_of_squares, std::int64_t estimates) {
-    Pixel& p = pixels_[index(x, y)];
-    p.sum += sum;
-    p.sum_of_squares += sum_of_squares;
-    p.weight += static_cast<double>(estimates);
-    p.estimates += estimates;
+    pixels_[index(x, y)].add(sum, sum_of_squares, estimates);
   }
 
   /// Call before the first estimate where samples of a filter's negative lobes are added by themselves.
   void separate(const NegativeLobes& lobes);
   /// Several independent estimates of weight 1 from the negative lobes.
   void add_negative(int x, int y, const RgbD& sum, const RgbD& sum_of_squares, std::int64_t estimates) {
-    Pixel& p = negative_[index(x, y)];
-    p.sum += sum;
-    p.sum_of_squares += sum_of_squares;
-    p.weight += static_cast<double>(estimates);
-    p.estimates += estimates;
+    negative_[index(x, y)].add(sum, sum_of_squares, estimates);
   }
 
   /// Call after every pass of `samples` per pixel whose pixels share light paths or photons. They are correlated, so
@@ -109,6 +101,13 @@ class Film {
     double weight = 0;
     std::int64_t estimates = 0;
 
+    /// Estimates of weight 1.
+    void add(const RgbD& values, const RgbD& squares, std::int64_t number) {
+      sum += values;
+      sum_of_squares += squares;
+      weight += static_cast<double>(number);
+      estimates += number;
+    }
     RgbD mean() const { return weight > 0 ? sum / weight : RgbD(0.0); }
     RgbD spread() const { return sum_of_squares / weight - mean() * mean(); }
   };
@@ -125,8 +124,8 @@ class Film {
 
   Tile window_;
   std::vector<Pixel> pixels_;
-  std::vector<Pixel> negative_;     ///< of the negative lobes, where they are separate
-  std::vector<double> subtracted_;  ///< their factors (negative_lobes.h)
+  std::vector<Pixel> negative_;     ///< Estimates of the negative lobes; empty where none are separate.
+  std::vector<double> subtracted_;  ///< Factors of the negative lobes (negative_lobes.h).
   Pixel passes_;                    ///< of the image's mean; each shared pass is an estimate
   Pixel before_pass_;               ///< sums over all pixels at the end of the last pass
   double pixels_a_splat_ = 1;

@@ -9,11 +9,11 @@ namespace photonproof::inline renderer_sensor {
 
 /// The scene as meters need it. Positions are those of rays.
 struct MeterPlace {
-  Vec3d moved;                                ///< added to positions of the description
-  Vec3d centre;                               ///< of the ball around all shapes
-  double radius = 0;                          ///< of that ball
-  double coordinate_floor = 0;                ///< rays leave surfaces by a part of it at least (offset_from)
-  const ShapeDescription* surface = nullptr;  ///< the one that measures; null where there is none
+  Vec3d moved;                                ///< Added to positions of the description.
+  Vec3d centre;                               ///< Middle of the ball around all shapes.
+  double radius = 0;                          ///< Radius of that ball.
+  double coordinate_floor = 0;                ///< Rays leave surfaces by a part of it at least (offset_from).
+  const ShapeDescription* surface = nullptr;  ///< The shape that measures, or null.
 };
 
 /// The shape with `measures` set; null without one.
