@@ -20,8 +20,7 @@ constexpr const char* file_name = "libOpenImageDenoise.so.2";
 /// Every failure ends with it.
 std::string way_to_get_it() {
   return "; `harness/setup/denoiser.sh` installs it and prints the folder for PHOTONPROOF_OIDN, and some systems have "
-         "a "
-         "package libopenimagedenoise";
+         "a package libopenimagedenoise";
 }
 
 /// The files beside this program that may be the library.
