@@ -52,9 +52,8 @@ CorrectnessRecord judge_correctness(const Judge& judge, const Engine& engine, co
     }
     return record;
   }
-  const Judgement judgement =
-      judge_agreement(deviations_of(engine.trust == Trust::unbiased, budget, *judge.reference, pointers),
-                      {right_within, right_within_in_a_block}, correctness_alpha);
+  const Deviations deviations = deviations_of(engine.trust == Trust::unbiased, budget, *judge.reference, pointers);
+  const Judgement judgement = judge_agreement(deviations, {right_within, right_within_in_a_block}, correctness_alpha);
   CorrectnessRecord record;
   record.verdict = !judgement.verdict                        ? Correctness::noisy
                    : *judgement.verdict == GateVerdict::pass ? Correctness::right
@@ -62,6 +61,8 @@ CorrectnessRecord judge_correctness(const Judge& judge, const Engine& engine, co
   record.sentence =
       (count_repeats(pointers).different == 1 ? "all seeds gave the same image; " : "") + judgement.sentence;
   if (judgement.observed.interval) record.whole = judgement.observed;
+  // Without a bound every block is outside, so this is the block that is surest to be off.
+  if (record.verdict == Correctness::biased) record.block = judge_bias(deviations, true, 0, correctness_alpha).observed;
   record.would_see = judgement.would_see;
   record.would_see_in_a_block = judgement.would_see_in_a_block;
   record.regression_only =

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "harness/conclusions/error_curve.h"
 #include "harness/conclusions/error_split.h"
 #include "harness/pixels/repeated_images.h"
 #include "harness/statistics/statistics.h"
@@ -25,10 +26,6 @@ constexpr double rounding_relmse = 1e-10;
 // A slope known less well than to +-1 does not show whether a method converges.
 constexpr double useful_slope_margin = 1;
 constexpr std::size_t least_points_for_slope = 3;
-constexpr const char* no_own_error = "no budget has an error of its own";
-// An error is unknown if it grows with the budget by more than this factor.
-constexpr double tolerated_growth = 2;
-
 // A curve shows start-up time if rendering takes less than this share of its time.
 constexpr double least_rendering_share = 0.5;
 
@@ -101,6 +98,17 @@ std::vector<Image> different_ones(const std::vector<Image>& images) {
   return different;
 }
 
+// relmse of the cells, copies once; empty where one is not known.
+std::vector<double> errors_of(const Cells& cells) {
+  std::vector<double> errors;
+  for (const Result* cell : cells) {
+    const std::optional<double> error = relmse_of(*cell);
+    if (!error) return {};
+    if (std::ranges::find(errors, *error) == errors.end()) errors.push_back(*error);
+  }
+  return errors;
+}
+
 void add_error(const Cells& cells, const Reference* reference, const fs::path& folder, const JudgeImages& judge,
                ConvergencePoint& point) {
   std::vector<Image> images;
@@ -114,6 +122,8 @@ void add_error(const Cells& cells, const Reference* reference, const fs::path& f
     const std::vector<Image> different = different_ones(images);
     set_split(split_error(reference->rendering.mean, variance ? &*variance : nullptr, different, reference->known),
               point);
+    if (const auto errors = errors_of(cells); !point.relmse->interval && errors.size() > 1)
+      point.spread_of_seeds = estimated_mean(errors).interval;
     // Images that are all the same may still be right; the judge decides that.
     if (judge) point.correctness = judge(cells.front()->cell, different.size() > 1 ? different : images);
     return;
@@ -121,10 +131,7 @@ void add_error(const Cells& cells, const Reference* reference, const fs::path& f
   if (judge) point.correctness = judge(cells.front()->cell, {});
   point.undefined["bias2"] = point.undefined["variance"] =
       reference == nullptr ? "no reference" : "an image is missing";
-  std::vector<double> errors;
-  for (const Result* cell : cells)
-    if (const auto error = relmse_of(*cell)) errors.push_back(*error);
-  if (errors.size() == cells.size()) point.relmse = estimated_mean(errors);
+  if (const auto errors = errors_of(cells); !errors.empty()) point.relmse = estimated_mean(errors);
 }
 
 void add_reference_share(const Reference* reference, ConvergencePoint& point, Convergence& curve) {
@@ -186,10 +193,6 @@ void add_start_up_caveat(const std::map<double, Cells>& cells, Convergence& curv
   }
 }
 
-bool has_own_error(const ConvergencePoint& point) {
-  return point.relmse && point.relmse->value > 0 && point.seconds.value > 0 && !point.undefined.contains(own_error_key);
-}
-
 std::string why_no_error(const ConvergencePoint& point) {
   const auto why = point.undefined.find(own_error_key);
   return why != point.undefined.end() ? "error: " + why->second
@@ -222,44 +225,6 @@ void set_slope(const KnownPoints& known, Convergence& curve) {
     curve.slope = Estimate{fit->slope, fit->slope_interval};
 }
 
-// Selects one end of an estimate's interval, or its value.
-using EndOf = std::optional<double> (*)(const Estimate&);
-std::optional<double> value_of(const Estimate& e) { return e.value; }
-std::optional<double> low_of(const Estimate& e) { return e.interval ? std::optional(e.interval->low) : std::nullopt; }
-std::optional<double> high_of(const Estimate& e) { return e.interval ? std::optional(e.interval->high) : std::nullopt; }
-
-// Points in ascending seconds, since on a busy machine larger budgets may take less time. Empty where a point lacks an
-// end.
-ConvergencePoints points_with(EndOf seconds, EndOf relmse, const KnownPoints& curve) {
-  ConvergencePoints points;
-  for (const ConvergencePoint* point : curve.points) {
-    const auto s = seconds(point->seconds), e = relmse(*point->relmse);
-    if (!s || !e) return {};
-    points.emplace_back(*s, *e);
-  }
-  std::sort(points.begin(), points.end());
-  return points;
-}
-
-// The uncertainties of errors and of times add in quadrature on the logarithm. Empty where one is not known, or where
-// the curve through its ends never reaches `relmse`.
-std::optional<Interval> interval_of_time(const KnownPoints& curve, double seconds, double relmse) {
-  struct Ends {
-    EndOf seconds, relmse;
-  };
-  constexpr std::pair<Ends, Ends> uncertain[] = {{{value_of, low_of}, {value_of, high_of}},
-                                                 {{low_of, value_of}, {high_of, value_of}}};
-  double down = 0, up = 0;
-  for (const auto& [low, high] : uncertain) {
-    const auto earliest = time_to_error(points_with(low.seconds, low.relmse, curve), relmse);
-    const auto latest = time_to_error(points_with(high.seconds, high.relmse, curve), relmse);
-    if (!earliest || !latest) return std::nullopt;
-    down = std::hypot(down, std::log(seconds / *earliest));
-    up = std::hypot(up, std::log(*latest / seconds));
-  }
-  return Interval{seconds * std::exp(-down), seconds * std::exp(up)};
-}
-
 // Relative half-widths add in quadrature on the logarithm. Without an interval of both there is none.
 Estimate efficiency_of(const Estimate& relmse, const Estimate& seconds) {
   Estimate efficiency{1 / (relmse.value * seconds.value), {}};
@@ -279,52 +244,6 @@ std::optional<double> relmse_of(const Result& result) {
   for (const MetricValue& metric : result.metrics)
     if (metric.name == "relmse") return metric.value;
   return std::nullopt;
-}
-
-std::optional<double> time_to_error(const ConvergencePoints& points, double target) {
-  std::size_t below = points.size();  // all points from this one on are below the target
-  while (below > 0 && points[below - 1].second <= target) --below;
-  if (below == points.size()) return std::nullopt;
-  if (below == 0) return points[0].second == target ? std::optional(points[0].first) : std::nullopt;
-  const auto& [t0, e0] = points[below - 1];
-  const auto& [t1, e1] = points[below];
-  return t0 * std::pow(t1 / t0, std::log(e0 / target) / std::log(e0 / e1));
-}
-
-KnownPoints known_points(const Convergence& curve) {
-  KnownPoints known;
-  const ConvergencePoint* least = nullptr;
-  std::size_t behind_leap = 0;
-  for (const ConvergencePoint& point : curve.points) {
-    if (!has_own_error(point)) continue;
-    known.points.push_back(&point);
-    if (least != nullptr && point.relmse->value > tolerated_growth * least->relmse->value) {
-      behind_leap = known.points.size();
-      known.leap = fmt::format("error grows from {:.2g} at {} to {:.2g} at {}", least->relmse->value,
-                               least->budget.label(), point.relmse->value, point.budget.label());
-      least = nullptr;
-    }
-    if (least == nullptr || point.relmse->value < least->relmse->value) least = &point;
-  }
-  known.points.erase(known.points.begin(), known.points.begin() + static_cast<std::ptrdiff_t>(behind_leap));
-  if (behind_leap > 0 && known.points.size() < 2) known.points.clear();
-  return known;
-}
-
-TargetTime time_to_target(const KnownPoints& curve, double relmse) {
-  TargetTime target{relmse};
-  if (curve.points.empty()) {
-    target.undefined = curve.leap.empty() ? no_own_error : curve.leap;
-    return target;
-  }
-  const ConvergencePoints points = points_with(value_of, value_of, curve);
-  if (const auto seconds = time_to_error(points, relmse))
-    target.seconds = Estimate{*seconds, interval_of_time(curve, *seconds, relmse)};
-  else if (points.front().second <= relmse)
-    target.at_most = points.front().first;
-  else
-    target.more_than = points.back().first;
-  return target;
 }
 
 void conclude(Convergence& curve) {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <random>
 
+#include "harness/conclusions/error_curve.h"
 #include "scenes/files/test_folder.h"
 #include "scenes/images/image.h"
 
@@ -25,6 +26,16 @@ Convergence exact_curve() {
   Convergence curve;
   for (const double seconds : {1.0, 2.0, 4.0, 8.0}) curve.points.push_back(point(seconds, seconds, 0.02 / seconds));
   return curve;
+}
+
+// The time at which errors at these seconds come down to `relmse`.
+std::optional<double> seconds_to(double relmse, const std::vector<std::pair<double, double>>& seconds_and_errors) {
+  std::vector<ConvergencePoint> points;
+  for (const auto& [seconds, error] : seconds_and_errors) points.push_back(point(seconds, seconds, error));
+  KnownPoints curve;
+  for (const ConvergencePoint& p : points) curve.points.push_back(&p);
+  const auto target = time_to_target(curve, relmse).seconds;
+  return target ? std::optional(target->value) : std::nullopt;
 }
 
 TEST(Convergence, error_that_halves_with_twice_the_time_has_slope_minus_one) {
@@ -53,8 +64,8 @@ TEST(Convergence, target_outside_what_was_measured_is_never_extrapolated) {
   curve.targets = {{0.1}, {0.0001}};
   conclude(curve);
   EXPECT_EQ(curve.targets, (std::vector<TargetTime>{{0.1, {}, {}, 1.0}, {0.0001, {}, 8.0, {}}}));
-  EXPECT_EQ(time_to_error({{1, 0.02}, {2, 0.01}}, 0.02), 1);
-  EXPECT_EQ(time_to_error({{1, 0.02}, {2, 0.01}}, 0.01), 2);
+  EXPECT_EQ(seconds_to(0.02, {{1, 0.02}, {2, 0.01}}), 1);
+  EXPECT_EQ(seconds_to(0.01, {{1, 0.02}, {2, 0.01}}), 2);
 }
 
 // Errors of 0.018, 0.006 and 1.25 were measured. Without this rule the table says that 0.01 is reached in 0.0196 s.
@@ -101,14 +112,14 @@ TEST(Convergence, budgets_behind_a_leap_count_from_two_on) {
 
 // The error may grow a little by chance: the target is reached from the point on where it stays below.
 TEST(Convergence, target_counts_as_reached_where_no_larger_budget_is_above_it) {
-  EXPECT_FALSE(time_to_error({{1, 0.018}, {4, 0.006}, {16, 0.011}}, 0.01));
+  EXPECT_FALSE(seconds_to(0.01, {{1, 0.018}, {4, 0.006}, {16, 0.011}}));
   Convergence curve;
   curve.points = {point(4, 1, 0.018), point(16, 4, 0.006), point(64, 16, 0.011)};
   curve.targets = {{0.01}};
   conclude(curve);
   EXPECT_EQ(curve.targets, (std::vector<TargetTime>{{0.01, {}, 16.0}}));
   // Down at 2 s, up at 8 s, down again between 16 s and 64 s, at sqrt(16 64) s.
-  EXPECT_NEAR(time_to_error({{1, 0.02}, {4, 0.005}, {16, 0.0125}, {64, 0.008}}, 0.01).value(), 32, 1e-9);
+  EXPECT_NEAR(seconds_to(0.01, {{1, 0.02}, {4, 0.005}, {16, 0.0125}, {64, 0.008}}).value(), 32, 1e-9);
 }
 
 // Errors known to 10 % and times to 20 %: sqrt(log(1.1)^2 + log(1.2)^2) = 0.205731 on the logarithm, a factor of

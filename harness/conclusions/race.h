@@ -1,4 +1,4 @@
-// Race: the times that a scene's engines take to reach the same error.
+// Race: which of a scene's engines is faster at equal error and more exact at equal time, and by how much.
 #pragma once
 
 #include <vector>
@@ -7,11 +7,22 @@
 
 namespace photonproof::inline harness_conclusions {
 
-/// One record for each scene on which the order of two engines or more is known, in the order of the curves. The error
-/// is that of one engine's largest budget. It is the one that most engines reach between two budgets; ties go to the
-/// most pairs of known order, then to the least error. An engine with several kinds of budget counts with its fastest.
-/// Times are those of time_to_target (convergence.h): interpolated, or a bound. A bound has a rank only where it
-/// settles the order: "at most 3 s" is neither faster nor slower than 2 s.
+/// Records for each scene with two engines or more, in the order of the curves. An engine with several kinds of budget
+/// counts with its best.
+///
+/// The error. One record for each target of the suite. Without targets, one record at a round error (1, 2 or 5 times a
+/// power of ten), since an engine's own last error would favour that engine. The fastest engine's time to it must be a
+/// value where possible. Among such errors, the one with the most known ratios; ties go to the least error.
+///
+/// The time of `errors` is the largest round time that most engines' budgets enclose.
+///
+/// Ratios. A ratio of values has the interval exp(ln ratio +- hypot(h1, h2)). Here h1 and h2 are the half-widths of
+/// both engines' intervals in logarithms (time_to_target, error_curve.h). A bound has a rank only where it settles the
+/// order with the confidence of its interval: "at most 3 s" is neither faster nor slower than 2 s. Its ratio is then
+/// the least that the intervals allow. Errors of an engine that grow with the budget (known_points) are left out.
 std::vector<RaceRecord> races_of(const std::vector<Convergence>& curves);
+
+/// Whether the interval of a ratio excludes 1, so that chance does not explain the order.
+bool is_decided(const Estimate& ratio);
 
 }  // namespace photonproof::inline harness_conclusions

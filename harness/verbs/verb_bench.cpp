@@ -11,11 +11,14 @@
 #include "harness/bench/bench.h"
 #include "harness/verbs/interrupt.h"
 #include "harness/verbs/scene_options.h"
+#include "harness/verbs/usage/colour_option.h"
 #include "harness/verbs/usage/verb_usage.h"
 #include "harness/verbs/verbs.h"
 #include "harness/verbs/versions.h"
 #include "reports/formats/markdown_report.h"
 #include "reports/page/html_report.h"
+#include "reports/view/console_conclusions.h"
+#include "reports/view/races.h"
 #include "reports/view/verdicts.h"
 #include "scenes/base/input_error.h"
 #include "scenes/base/json_text.h"
@@ -38,6 +41,7 @@ struct BenchArguments {
   double slower_percent = 100 * ChangeThresholds{}.seconds;
   double error_percent = 100 * ChangeThresholds{}.relmse;
   bool json = false;
+  std::string colour = "auto";
   bool report = true;
 };
 
@@ -123,8 +127,17 @@ void print_json(const BenchSummary& summary, const std::vector<fs::path>& report
   std::printf("%s\n", json_text(json).c_str());
 }
 
+void print_changes(const BenchSummary& summary) {
+  const char* separator = "against the old run: ";
+  for (const auto& [change, number] : summary.by_change) {
+    std::printf("%s%zu %s", separator, number, to_string(change).c_str());
+    separator = ", ";
+  }
+  if (!summary.by_change.empty()) std::printf("\n");
+}
+
 void print_text(const Suite& suite, const BenchSummary& summary, const Results& results,
-                const std::vector<fs::path>& report_files) {
+                const std::vector<fs::path>& report_files, bool colours) {
   std::printf("%s: %zu cells measured, %zu kept from before", suite.name.c_str(), summary.measured, summary.kept);
   if (summary.missing > 0) std::printf(", %zu not run", summary.missing);
   const char* separator = "; ";
@@ -132,19 +145,16 @@ void print_text(const Suite& suite, const BenchSummary& summary, const Results& 
     std::printf("%s%zu %s", separator, number, reports::status_text(status).c_str());
     separator = ", ";
   }
-  std::printf("\n%s", reports::verdict_lines(reports::arrange(results)).c_str());
+  const reports::View view = reports::arrange(results);
+  std::printf("\n%s", reports::console_conclusions(view, colours).c_str());
   if (summary.measured == 0 && !summary.interrupted)
     std::printf("nothing to run: every cell asked for has its result (--fresh measures again, --retry what failed)\n");
   if (summary.interrupted) std::printf("interrupted: kept what was finished; the same command goes on from here\n");
   std::printf("results: %s\n", summary.results_file.c_str());
   for (const fs::path& report : report_files) std::printf("report: %s\n", report.c_str());
-  if (summary.by_change.empty()) return;
-  separator = "against the old run: ";
-  for (const auto& [change, number] : summary.by_change) {
-    std::printf("%s%zu %s", separator, number, to_string(change).c_str());
-    separator = ", ";
-  }
-  std::printf("\n");
+  print_changes(summary);
+  if (const std::string sentence = reports::races_sentence(view); !sentence.empty())
+    std::printf("%s\n", sentence.c_str());
 }
 
 int exit_code_of(const BenchArguments& arguments, const BenchSummary& summary) {
@@ -196,7 +206,7 @@ int run(const BenchArguments& arguments) {
   if (arguments.json)
     print_json(summary, report_files);
   else
-    print_text(suite, summary, results, report_files);
+    print_text(suite, summary, results, report_files, colours_on(arguments.colour, STDOUT_FILENO));
   return exit_code_of(arguments, summary);
 }
 
@@ -210,6 +220,7 @@ void add_suite_options(CLI::App& verb, BenchArguments& arguments) {
   verb.add_option("-o,--output", arguments.output, "results folder (default: out/NAME of the suite)");
   verb.add_flag("--report,!--no-report", arguments.report, "write report.html and report.md (default)");
   verb.add_flag("--json", arguments.json, "print the summary as JSON");
+  add_colour_option(verb, arguments.colour);
   begin_option_group(verb, run_group);
   verb.add_flag("--fresh", arguments.fresh, "measure finished cells again; their old results stay beside the new ones");
   verb.add_flag("--retry", arguments.retry, "measure cells again that timed out, crashed or wrote a bad image");

@@ -60,10 +60,12 @@ TEST_F(BenchVerb, good_run_says_where_everything_is) {
   const std::string out = (folder_ / "out").string();
   const std::string start =
       "fake: 3 cells measured, 0 kept from before; 2 finished, 1 unsupported\n"
-      "scene, brighter, 1 spp: unknown, relMSE 0.0385 †, ";
+      "\n"
+      "scene  engine    budget  verdict    relMSE  seconds\n"
+      "scene  brighter  1 spp   unknown  0.0385 †  ";
   EXPECT_TRUE(outcome.standard_output.starts_with(start)) << outcome.standard_output;
   const std::string end =
-      " s\nscene, brighter: declared by the engine: it only copies\nscene: † the reference is by grey, which nothing "
+      "\n\nscene, brighter: declared by the engine: it only copies\nscene: † the reference is by grey, which nothing "
       "vouches for: these numbers say how far from it an image "
       "is, "
       "not how wrong\nresults: " +

@@ -1,6 +1,6 @@
 // One number per row, so that a row always means the same, and a spreadsheet or data frame can pivot it. The columns:
-//   record    cell, curve, gate or change
-//   name      of a gate
+//   record    cell, curve, race, gate or change
+//   name      of a gate; of a race the error or the time at which engines are compared
 //   quantity  a metric, wall_seconds, relmse, observed, ratio ...
 //   value     in full; low and high are the ends of its 95 % interval, empty when none is known
 //   outcome   how a cell ended, a gate's verdict, a budget's (right, noisy, biased, unknown), a change's kind
@@ -113,6 +113,27 @@ void add_curve_rows(Table& table, const Convergence& curve) {
   for (const TargetTime& target : curve.targets) add_target(table, subject, target);
 }
 
+/// Times and errors of the engines, and their ratios to the best one's. A ratio's lower bound has the outcome
+/// "at_least".
+void add_race_rows(Table& table, const RaceRecord& race) {
+  Subject subject{"race", fmt::format("relmse={}", race.relmse), race.scene, "", "", "", "", "", race.undecided};
+  if (race.times.empty()) return table.add(subject, "", std::nullopt);
+  for (const RaceRecord::Time& time : race.times) {
+    subject.engine = time.engine;
+    subject.outcome = time.at_most ? "at_most" : time.more_than ? "more_than" : "";
+    table.add(subject, "seconds_to_error", Estimate{time.seconds, time.interval});
+    subject.outcome = time.at_least ? "at_least" : "";
+    table.add_if(subject, "ratio_of_seconds", time.ratio);
+  }
+  subject.name = fmt::format("seconds={}", race.seconds);
+  subject.outcome = "";
+  for (const RaceRecord::Error& error : race.errors) {
+    subject.engine = error.engine;
+    table.add(subject, "relmse_at_time", error.relmse);
+    table.add_if(subject, "ratio_of_relmse", error.ratio);
+  }
+}
+
 void add_gate_rows(Table& table, const GateRecord& gate) {
   const Subject subject{"gate", gate.name, gate.scene, gate.engine, "", "", "", to_string(gate.verdict), gate.sentence};
   table.add(subject, gate.metric, gate.observed);
@@ -127,6 +148,7 @@ void write_csv_report(const Results& results, const std::filesystem::path&, cons
   Table table;
   for (const Result& result : results.results) add_cell_rows(table, result);
   for (const Convergence& curve : results.convergence) add_curve_rows(table, curve);
+  for (const RaceRecord& race : results.races) add_race_rows(table, race);
   for (const GateRecord& gate : results.gates) add_gate_rows(table, gate);
   for (const ChangeRecord& change : results.changes) {
     table.add({"change", "", change.scene, change.engine, change.budget.kind, change.budget.amount_text(), "",

@@ -9,6 +9,7 @@
 #include "reports/view/environment.h"
 #include "reports/view/metric_columns.h"
 #include "reports/view/numbers.h"
+#include "reports/view/races.h"
 #include "reports/view/text.h"
 #include "reports/view/verdicts.h"
 #include "reports/view/view.h"
@@ -68,7 +69,7 @@ class Writer {
   }
 
   std::string write() const {
-    std::string text = header() + at_a_glance() + gates() + changes() + summary() + failures();
+    std::string text = header() + races() + at_a_glance() + gates() + changes() + summary() + failures();
     for (const SceneView& scene : view_.scenes) text += scene_section(scene);
     return text + notes();
   }
@@ -126,7 +127,31 @@ class Writer {
     std::string text = "## At a glance\n\n";
     for (const EngineGlance& glance : engines)
       text += "* " + markdown_text(view_.engines[glance.engine].name) + ": " + markdown_text(glance.text) + "\n";
-    for (const std::string& race : race_texts(view_)) text += "* " + markdown_text(race) + "\n";
+    return text + "\n";
+  }
+
+  std::string races() const {
+    const RaceTable races = race_table(view_);
+    if (races.rows.empty()) return {};
+    Row head{"Scene", "relMSE"};
+    for (const std::string& engine : races.engines) head.push_back(markdown_text(engine));
+    std::vector<Row> rows;
+    for (const RaceTable::Row& race : races.rows) {
+      Row& row =
+          rows.emplace_back(Row{markdown_text(race.scene), race.undecided.empty() ? race.relmse : undefined_number});
+      for (const RaceTable::Cell& cell : race.cells) {
+        const std::string text = cell.time + (cell.ratio.empty() ? "" : " (" + cell.ratio + ")");
+        row.push_back(cell.best ? "**" + text + "**" : text);
+      }
+    }
+    std::string text =
+        "## Fastest to the same error\n\n" + markdown_text(races_sentence(view_)) + ".\n\n" + table(head, rows, 1);
+    for (const RaceRecord* race : view_.races) {
+      text += "* " + markdown_text(race_text(*race)) + ".";
+      if (const std::string at_time = equal_time_text(*race); !at_time.empty())
+        text += " " + markdown_text(at_time) + ".";
+      text += "\n";
+    }
     return text + "\n";
   }
 

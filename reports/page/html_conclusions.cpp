@@ -7,6 +7,7 @@
 #include "reports/page/html_data.h"
 #include "reports/page/viewer_data.h"
 #include "reports/view/numbers.h"
+#include "reports/view/races.h"
 #include "reports/view/text.h"
 #include "reports/view/verdicts.h"
 
@@ -70,25 +71,61 @@ void set_verdict(data& object, GateVerdict verdict) { set_chip(object, verdict);
 void set_correctness(data& object, const CorrectnessRecord& record) {
   data chip;
   chip.set("verdict", verdict_text(record));
-  chip.set("class", verdict_class(record.verdict));
+  chip.set("class", verdict_class(record));
   chip.set("symbol", verdict_symbol(record.verdict));
   object.set("has_correctness", true);
   object.set("chip", chip);
   object.set("sentence", printable(sentence_of(record)));
 }
 
-void set_glance(data& page, const View& view) {
+namespace {
+
+data race_data(const RaceTable::Row& row, const RaceRecord& race, std::size_t engines) {
+  data item, cells(data::type::list);
+  for (const RaceTable::Cell& cell : row.cells) {
+    data entry;
+    entry.set("time", cell.time);
+    entry.set("ratio", text_or_false(cell.ratio));
+    entry.set("best", cell.best);
+    cells.push_back(entry);
+  }
+  item.set("scene", printable(row.scene));
+  item.set("relmse", row.relmse);
+  item.set("sentence", printable(race_text(race)));
+  item.set("equal_time", text_or_false(printable(equal_time_text(race))));
+  item.set("judged", row.undecided.empty());
+  item.set("undecided", printable(row.undecided));
+  item.set("width", std::to_string(engines + 1));
+  item.set("cells", cells);
+  return item;
+}
+
+}  // namespace
+
+void set_races(data& page, const View& view) {
+  const RaceTable table = race_table(view);
   data engines(data::type::list), races(data::type::list);
+  for (const std::size_t engine : view.compared) engines.push_back(engine_data(view, engine));
+  for (std::size_t i = 0; i < table.rows.size(); ++i) {
+    data item = race_data(table.rows[i], *view.races[i], table.engines.size());
+    item.set("href", scene_id(view, view.races[i]->scene));
+    races.push_back(item);
+  }
+  page.set("has_races", !table.rows.empty());
+  page.set("races_sentence", printable(races_sentence(view)));
+  page.set("race_engines", engines);
+  page.set("races", races);
+}
+
+void set_glance(data& page, const View& view) {
+  data engines(data::type::list);
   for (const EngineGlance& glance : glances(view)) {
     data item = engine_data(view, glance.engine);
     item.set("text", printable(glance.text));
     engines.push_back(item);
   }
-  for (const std::string& race : race_texts(view)) races.push_back(printable(race));
   page.set("has_glance", engines.is_non_empty_list());
   page.set("glances", engines);
-  page.set("has_races", races.is_non_empty_list());
-  page.set("races", races);
 }
 
 data table_data(const PlainTable& table, std::size_t numbers_from) {

@@ -16,8 +16,11 @@ void set_verdict(kainjow::mustache::data& object, GateVerdict verdict);
 /// {has_correctness, verdict, class, symbol, sentence}: the same for a budget's images, green only for right.
 void set_correctness(kainjow::mustache::data& object, const CorrectnessRecord& record);
 
-/// {has_glance, glances: {swatch, text}, races}: the summary at the top.
+/// {has_glance, glances: {swatch, text}}: verdicts of each engine over all scenes.
 void set_glance(kainjow::mustache::data& page, const View& view);
+
+/// {has_races, races_sentence, race_engines, races}: who is faster to the same error, in a sentence and a table.
+void set_races(kainjow::mustache::data& page, const View& view);
 
 /// {has_table, header, rows: {cells: {text, number}}}: cells from `numbers_from` on are right-aligned.
 kainjow::mustache::data table_data(const PlainTable& table, std::size_t numbers_from);

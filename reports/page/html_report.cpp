@@ -87,6 +87,7 @@ void write_html_report(const Results& results, const std::filesystem::path& resu
   data page, scenes(data::type::list);
   set_header(page, results, view);
   set_glance(page, view);
+  set_races(page, view);
   set_failures(page, view);
   set_columns(page, view);
   set_gates(page, view.gates, false);

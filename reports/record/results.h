@@ -143,6 +143,8 @@ struct CorrectnessRecord {
   /// Minimum detectable relative error, with probability 0.99, of the whole image and of a block of 8 x 8 pixels; only
   /// if right.
   std::optional<double> would_see, would_see_in_a_block;
+  /// If biased: the largest relative error of a block of 8 x 8 pixels, with the interval of all blocks together.
+  std::optional<Estimate> block{};
   std::string regression_only{};  ///< as in GateRecord
   friend bool operator==(const CorrectnessRecord&, const CorrectnessRecord&) = default;
 };
@@ -160,9 +162,11 @@ std::optional<double> seconds_by(Clock clock, const Result& result);
 /// One budget of an engine on a scene, over its seeds.
 struct ConvergencePoint {
   Budget budget;
-  int seeds = 0;                     ///< finished cells
-  Estimate seconds;                  ///< median, by the curve's clock
-  std::optional<Estimate> relmse;    ///< mean; absent without a reference
+  int seeds = 0;                   ///< finished cells
+  Estimate seconds;                ///< median, by the curve's clock
+  std::optional<Estimate> relmse;  ///< mean; absent without a reference
+  /// Interval of relmse by the spread over seeds alone, where relmse has none: rare bright samples may be missing.
+  std::optional<Interval> spread_of_seeds{};
   std::optional<Estimate> bias2;     ///< relative as relmse is; present if its interval excludes 0
   std::optional<Estimate> variance;  ///< relative, of one image; needs two seeds
   std::optional<CorrectnessRecord> correctness{};
@@ -194,19 +198,33 @@ struct Convergence {
   friend bool operator==(const Convergence&, const Convergence&) = default;
 };
 
-/// The time that each engine took on a scene to fall to one error, which most of them reach between two budgets.
+/// The engines of a scene against each other: the time that each takes to one error, and the error of each at one time.
+/// Ratios are those to the engine ranked first. Intervals combine those of both engines.
 struct RaceRecord {
   struct Time {
     std::string engine;
-    double seconds = 0;      ///< interpolated between its budgets, or a bound
-    bool at_most = false;    ///< its smallest budget is below that error already: it may need less
-    bool more_than = false;  ///< its largest budget is still above that error: it needs more
-    bool unranked = false;   ///< a bound that leaves open which engine is faster
+    double seconds = 0;                  ///< interpolated between its budgets, or a bound
+    bool at_most = false;                ///< its smallest budget is below that error already: it may need less
+    bool more_than = false;              ///< its largest budget is still above that error: it needs more
+    bool unranked = false;               ///< a bound that leaves open which engine is faster
+    std::optional<Interval> interval{};  ///< of a value, by convergence.h
+    std::optional<Estimate> ratio{};     ///< of its seconds to the first engine's; absent for that and where unranked
+    bool at_least = false;               ///< the ratio is a bound that holds with the interval's confidence
     friend bool operator==(const Time&, const Time&) = default;
+  };
+  struct Error {
+    std::string engine;
+    Estimate relmse;                  ///< interpolated between its budgets
+    std::optional<Estimate> ratio{};  ///< to the least error; absent for that
+    friend bool operator==(const Error&, const Error&) = default;
   };
   std::string scene;
   double relmse = 0;
-  std::vector<Time> times;  ///< fastest first, then engines without a rank
+  bool is_target = false;     ///< the suite asks for this error
+  std::vector<Time> times;    ///< fastest first, then engines without a rank; empty if `undecided`
+  double seconds = 0;         ///< the time of `errors`
+  std::vector<Error> errors;  ///< least first; empty where fewer than two engines have budgets around one time
+  std::string undecided{};    ///< why no engine is known to be faster
   friend bool operator==(const RaceRecord&, const RaceRecord&) = default;
 };
 

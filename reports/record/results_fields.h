@@ -151,6 +151,7 @@ void describe(V& v, CorrectnessRecord& r) {
   v.maybe("whole", r.whole);
   v.maybe("would_see", r.would_see, {.least = 0});
   v.maybe("would_see_in_a_block", r.would_see_in_a_block, {.least = 0});
+  v.maybe("block", r.block, {.says = "largest relative error of a block of 8 x 8 pixels"});
   v.maybe("regression_only", r.regression_only);
 }
 
@@ -161,6 +162,7 @@ void describe(V& v, ConvergencePoint& r) {
   v.field("seeds", r.seeds, {.least = 0});
   v.field("seconds", r.seconds);
   v.maybe("relmse", r.relmse);
+  v.maybe("spread_of_seeds", r.spread_of_seeds, {.says = "low, high of relmse by its spread over seeds alone"});
   v.maybe("bias2", r.bias2);
   v.maybe("variance", r.variance);
   v.maybe("correctness", r.correctness);
@@ -204,14 +206,29 @@ void describe(V& v, RaceRecord::Time& r) {
   v.maybe("at_most", r.at_most);
   v.maybe("more_than", r.more_than);
   v.maybe("unranked", r.unranked);
+  v.maybe("interval", r.interval, {.says = "low, high; of 95 % confidence"});
+  v.maybe("ratio", r.ratio, {.says = "to the first engine's seconds"});
+  v.maybe("at_least", r.at_least, {.says = "the ratio is a lower bound"});
+}
+
+template <class V>
+void describe(V& v, RaceRecord::Error& r) {
+  v.record("race_error");
+  v.field("engine", r.engine, {.filled = true});
+  v.field("relmse", r.relmse);
+  v.maybe("ratio", r.ratio, {.says = "to the least error"});
 }
 
 template <class V>
 void describe(V& v, RaceRecord& r) {
-  v.record("race", "how long each engine took on a scene to come down to one error; bounds without a rank come last");
+  v.record("race", "time of each engine to one error, and error of each at one time; bounds without a rank come last");
   v.field("scene", r.scene, {.filled = true});
   v.field("relmse", r.relmse);
+  v.maybe("is_target", r.is_target, {.says = "the suite asks for this error"});
   v.field("times", r.times);
+  v.maybe("seconds", r.seconds, {.says = "the time of `errors`"});
+  v.maybe("errors", r.errors);
+  v.maybe("undecided", r.undecided, {.says = "why no engine is known to be faster"});
 }
 
 template <class V>

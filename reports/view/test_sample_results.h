@@ -78,10 +78,15 @@ inline Convergence sample_curve() {
   Convergence curve;
   curve.scene = "box";
   curve.engine = "photon";
-  ConvergencePoint early{
-      {"photons", 2000}, 3, {1.25, Interval{1.2, 1.5}}, Estimate{0.05, Interval{0.04, 0.0625}}, {}, {}};
-  ConvergencePoint late{{"photons", 20000},  3, {4.5, {}}, Estimate{0.0125, Interval{0.01, 0.02}}, {},
-                        Estimate{0.0126, {}}};
+  ConvergencePoint early, late;
+  early.budget = {"photons", 2000};
+  early.seconds = {1.25, Interval{1.2, 1.5}};
+  early.relmse = Estimate{0.05, Interval{0.04, 0.0625}};
+  late.budget = {"photons", 20000};
+  late.seconds = {4.5, {}};
+  late.relmse = Estimate{0.0125, Interval{0.01, 0.02}};
+  late.variance = Estimate{0.0126, {}};
+  early.seeds = late.seeds = 3;
   early.undefined = {{"bias2", "an image is missing"}, {"variance", "an image is missing"}};
   late.undefined = {{"bias2", "none seen above 0.0005"}};
   early.correctness = CorrectnessRecord{Correctness::noisy,
@@ -160,6 +165,23 @@ inline std::vector<ChangeRecord> sample_changes() {
   return {same, slower};
 }
 
+/// A race with a value, a ratio and a bound that leaves the order open, and one that is not judged.
+inline std::vector<RaceRecord> sample_races() {
+  RaceRecord race;
+  race.scene = "box";
+  race.relmse = 0.05;
+  race.times = {
+      {.engine = "photon", .seconds = 1.25, .interval = Interval{1.2, 1.3}},
+      {.engine = "path", .seconds = 12.5, .interval = Interval{12, 13}, .ratio = Estimate{10, Interval{9, 11}}},
+      {.engine = "povray", .seconds = 2.5, .at_most = true, .unranked = true}};
+  race.seconds = 2;
+  race.errors = {{"photon", {0.03, {}}, {}}, {"path", {0.24, Interval{0.2, 0.3}}, Estimate{8, Interval{7, 9}}}};
+  RaceRecord open;
+  open.scene = "hole";
+  open.undecided = "the measured errors decide no order: photon 0.2, povray 0.1";
+  return {race, open};
+}
+
 /// Extends sample_results by all possible conclusions of the harness: curves over seeds, gates with one that fails in
 /// two tiles, a stored reference, changes against an older run.
 inline Results sample_conclusions() {
@@ -171,7 +193,7 @@ inline Results sample_conclusions() {
                       "hole-ref.png",
                       {{"estimator", "path"}, {"samples", "65536"}, {"standard_error", "0.1 %"}}};
   results.convergence = {sample_curve()};
-  results.races = {{"box", 0.05, {{"photon", 1.25, false}, {"povray", 2.5, true, false, true}}}};
+  results.races = sample_races();
   results.gates = sample_gates();
   results.changes = sample_changes();
   return results;

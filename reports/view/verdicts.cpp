@@ -17,7 +17,13 @@ std::string percent(double fraction) { return significant(100 * fraction, 2) + "
 
 std::string signed_text(double fraction) { return (fraction < 0 ? "−" : "+") + percent(std::abs(fraction)); }
 
-constexpr const char* somewhere = "in places";
+/// The bias of a block, or the most that it can be where the block alone does not prove it.
+std::string block_text(const Estimate& block) {
+  if (block.interval && !excludes_zero(*block.interval))
+    return "at most " + percent(std::max(std::abs(block.interval->low), std::abs(block.interval->high))) +
+           " of a block";
+  return signed_text(block.value) + " in a block";
+}
 
 /// The number beside a verdict; empty if it has none.
 std::string size_text(const CorrectnessRecord& record) {
@@ -26,7 +32,8 @@ std::string size_text(const CorrectnessRecord& record) {
     case Correctness::right:
       return record.would_see ? "within " + percent(*record.would_see) : "";
     case Correctness::biased:
-      return judged && excludes_zero(*record.whole->interval) ? signed_text(record.whole->value) : somewhere;
+      if (judged && excludes_zero(*record.whole->interval)) return signed_text(record.whole->value);
+      return record.block ? block_text(*record.block) : "in places";  // older records lack the size
     case Correctness::noisy: {
       if (!judged) return "";
       const double half = (record.whole->interval->high - record.whole->interval->low) / 2;
@@ -46,7 +53,6 @@ std::string listed(const std::vector<std::string>& items) {
 
 std::string glance(const View& view, std::size_t engine) {
   std::array<std::vector<std::string>, 4> scenes;
-  std::vector<std::string> in_places;
   std::vector<std::string> unfinished;
   std::size_t asked = 0;
   for (const SceneView& scene : view.scenes) {
@@ -61,11 +67,8 @@ std::string glance(const View& view, std::size_t engine) {
     if (record == nullptr) continue;
     const std::string size = size_text(*record);
     const std::string name = scene.record.name + (record->regression_only.empty() ? "" : "*");
-    if (size == somewhere)
-      in_places.push_back(name);
-    else
-      scenes[static_cast<std::size_t>(record->verdict)].push_back(
-          name + (size.empty() || record->verdict == Correctness::right ? "" : " (" + size + ")"));
+    scenes[static_cast<std::size_t>(record->verdict)].push_back(
+        name + (size.empty() || record->verdict == Correctness::right ? "" : " (" + size + ")"));
   }
   std::string text;
   const auto add = [&](const std::string& part) { text += (text.empty() ? "" : "; ") + part; };
@@ -78,7 +81,6 @@ std::string glance(const View& view, std::size_t engine) {
     else
       add(to_string(verdict) + " on " + listed(names));
   }
-  if (!in_places.empty()) add("biased in places on " + listed(in_places));
   if (!unfinished.empty()) add("did not finish " + listed(unfinished));
   return text;
 }
@@ -107,8 +109,12 @@ const CorrectnessRecord* correctness_of(const SceneView& scene, const Cell& cell
   return nullptr;
 }
 
-const char* verdict_class(Correctness verdict) {
-  return verdict == Correctness::right ? "good" : verdict == Correctness::biased ? "poor" : "open";
+const char* verdict_class(const CorrectnessRecord& record) {
+  if (record.verdict == Correctness::right) return "good";
+  if (record.verdict != Correctness::biased) return "open";
+  const auto size = [](const std::optional<Estimate>& bias) { return bias ? std::abs(bias->value) : 0.0; };
+  const bool known = record.whole || record.block;
+  return known && std::max(size(record.whole), size(record.block)) <= small_bias ? "open" : "poor";
 }
 
 const char* verdict_symbol(Correctness verdict) {
@@ -141,53 +147,32 @@ std::vector<EngineGlance> glances(const View& view) {
   return out;
 }
 
-std::vector<std::string> race_texts(const View& view) {
-  std::vector<std::string> texts;
-  for (const RaceRecord* race : view.races) {
-    std::string text = fmt::format("{}, to relMSE {}:", race->scene, significant(race->relmse, 2));
-    const RaceRecord::Time* before = nullptr;
-    std::optional<double> fastest;  // a value: a bound gives no factor
-    for (const RaceRecord::Time& time : race->times) {
-      const bool first_without_rank = time.unranked && before != nullptr && !before->unranked;
-      text += fmt::format("{} {} {}{} s",
-                          before == nullptr    ? ""
-                          : first_without_rank ? "; without a rank:"
-                                               : ",",
-                          time.engine,
-                          time.at_most     ? "≤ "
-                          : time.more_than ? "> "
-                                           : "",
-                          significant(time.seconds, 2));
-      before = &time;
-      if (time.at_most || time.more_than) continue;
-      if (!fastest) fastest = time.seconds;
-      if (time.seconds > *fastest) text += fmt::format(" (×{})", significant(time.seconds / *fastest, 2));
-    }
-    texts.push_back(std::move(text));
-  }
-  return texts;
-}
-
-std::string verdict_lines(const View& view) {
-  std::string text, doubts;
+std::vector<VerdictRow> verdict_rows(const View& view) {
+  std::vector<VerdictRow> rows;
   for (const SceneView& scene : view.scenes) {
     for (const EngineOutcome& outcome : scene.engines) {
       if (outcome.shown == nullptr) continue;
       const Result& shown = *outcome.shown;
       const CorrectnessRecord* record = correctness_of(scene, shown.cell);
       if (record == nullptr) continue;
-      text += fmt::format("{}, {}, {}: {}, relMSE {}{}, {} s\n", scene.record.name, shown.cell.engine,
-                          budget_text(shown.cell.budget), verdict_text(*record),
-                          or_dash(metric(shown, "relmse"), [](double v) { return significant(v); }), doubt_mark(scene),
-                          or_dash(shown.wall_seconds, [](double v) { return significant(v); }));
+      rows.push_back({scene.record.name, shown.cell.engine, budget_text(shown.cell.budget), record,
+                      or_dash(metric(shown, "relmse"), [](double v) { return significant(v); }) + doubt_mark(scene),
+                      or_dash(shown.wall_seconds, [](double v) { return significant(v); })});
     }
+  }
+  return rows;
+}
+
+std::vector<std::string> verdict_notes(const View& view) {
+  std::vector<std::string> notes;
+  for (const SceneView& scene : view.scenes)
     for (const Convergence* curve : scene.curves)
       for (const std::string& caveat : curve->caveats)
         if (caveat.starts_with(declared_by_engine))
-          text += fmt::format("{}, {}: {}\n", scene.record.name, curve->engine, caveat);
-    if (const std::string doubt = doubt_text(scene); !doubt.empty()) doubts += scene.record.name + ": " + doubt + "\n";
-  }
-  return text + doubts;
+          notes.push_back(fmt::format("{}, {}: {}", scene.record.name, curve->engine, caveat));
+  for (const SceneView& scene : view.scenes)
+    if (const std::string doubt = doubt_text(scene); !doubt.empty()) notes.push_back(scene.record.name + ": " + doubt);
+  return notes;
 }
 
 }  // namespace photonproof::reports::inline reports_view

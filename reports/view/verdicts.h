@@ -1,4 +1,4 @@
-// Texts about right images and the fastest engine, for the page, Markdown and the console.
+// Texts about right images, for the page, Markdown and the console.
 #pragma once
 
 #include <string>
@@ -8,8 +8,8 @@
 
 namespace photonproof::reports::inline reports_view {
 
-/// "right within 0.3 %", "biased +0.8 %", "biased in places", "noisy ±5 %", "unknown". "right (regression only)" if the
-/// reference shares the engine's sampling.
+/// "right within 0.3 %", "biased +0.8 %", "biased −3 % in a block", "noisy ±5 %", "unknown". "right (regression only)"
+/// if the reference shares the engine's sampling.
 std::string verdict_text(const CorrectnessRecord& record);
 
 /// The verdict's sentence, with the reason if it can only detect changes.
@@ -21,8 +21,10 @@ const CorrectnessRecord* correctness_of(const SceneView& scene, const Cell& cell
 /// "finished" instead of "ok": an engine may end well with a wrong image.
 std::string status_text(Status status);
 
-/// CSS class of a verdict: green only for right.
-const char* verdict_class(Correctness verdict);
+/// A bias of at most this share of a block is shown without alarm.
+inline constexpr double small_bias = 0.01;
+/// CSS class of a verdict: "good" only for right, "poor" for a bias above small_bias, else "open".
+const char* verdict_class(const CorrectnessRecord& record);
 /// Symbol that shows the verdict without its colour.
 const char* verdict_symbol(Correctness verdict);
 
@@ -38,11 +40,15 @@ struct EngineGlance {
 };
 std::vector<EngineGlance> glances(const View& view);
 
-/// One line per race: "cornell: photonmapper reaches relMSE 0.0004 in 0.3 s, path in 1.2 s (4.0 times as long)".
-std::vector<std::string> race_texts(const View& view);
+/// The verdict, error and time of an engine on a scene at its largest budget.
+struct VerdictRow {
+  std::string scene, engine, budget;
+  const CorrectnessRecord* correctness = nullptr;
+  std::string relmse, seconds;  ///< with the mark of a doubtful reference
+};
+std::vector<VerdictRow> verdict_rows(const View& view);
 
-/// For the console: one line per engine and scene with the largest budget's verdict, error and time, then the marks'
-/// meanings.
-std::string verdict_lines(const View& view);
+/// Losses that engines declare, then the marks' meanings.
+std::vector<std::string> verdict_notes(const View& view);
 
 }  // namespace photonproof::reports::inline reports_view

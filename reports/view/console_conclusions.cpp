@@ -1,0 +1,65 @@
+#include "reports/view/console_conclusions.h"
+
+#include <string_view>
+#include <vector>
+
+#include "reports/view/console_table.h"
+#include "reports/view/numbers.h"
+#include "reports/view/races.h"
+#include "reports/view/verdicts.h"
+
+namespace photonproof::reports::inline reports_view {
+namespace {
+
+using Row = std::vector<ConsoleCell>;
+
+Emphasis emphasis_of(const CorrectnessRecord& record) {
+  const std::string_view look = verdict_class(record);
+  return look == "good" ? Emphasis::good : look == "poor" ? Emphasis::poor : Emphasis::none;
+}
+
+std::string verdict_table(const View& view, bool colours) {
+  std::vector<Row> rows;
+  for (const VerdictRow& row : verdict_rows(view)) {
+    const bool again = !rows.empty() && rows.back().front().text == row.scene;
+    rows.push_back({{row.scene, again ? Emphasis::quiet : Emphasis::none},
+                    {row.engine},
+                    {row.budget},
+                    {verdict_text(*row.correctness), emphasis_of(*row.correctness)},
+                    {row.relmse},
+                    {row.seconds}});
+  }
+  if (rows.empty()) return {};
+  return console_table({"scene", "engine", "budget", "verdict", "relMSE", "seconds"}, rows, 4, colours) + "\n";
+}
+
+std::string times_table(const View& view, bool colours) {
+  const RaceTable races = race_table(view);
+  std::vector<std::string> header{"time to", "relMSE"};
+  header.insert(header.end(), races.engines.begin(), races.engines.end());
+  std::vector<Row> rows;
+  std::string undecided;
+  for (const RaceTable::Row& race : races.rows) {
+    if (!race.undecided.empty()) {
+      undecided += race.scene + ": not judged, " + race.undecided + "\n";
+      continue;
+    }
+    Row& row = rows.emplace_back(Row{{race.scene}, {race.relmse}});
+    for (const RaceTable::Cell& cell : race.cells)
+      row.push_back({cell.ratio.empty() ? cell.time : cell.time + ", " + cell.ratio,
+                     cell.best ? Emphasis::bold : Emphasis::none});
+  }
+  std::string text = undecided;
+  if (!rows.empty()) text = console_table(header, rows, header.size(), colours) + text;
+  return text.empty() ? text : text + "\n";
+}
+
+}  // namespace
+
+std::string console_conclusions(const View& view, bool colours) {
+  std::string text = verdict_table(view, colours) + times_table(view, colours);
+  for (const std::string& note : verdict_notes(view)) text += note + "\n";
+  return text.empty() ? text : "\n" + text;
+}
+
+}  // namespace photonproof::reports::inline reports_view

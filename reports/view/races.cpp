@@ -1,0 +1,139 @@
+#include "reports/view/races.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "reports/view/numbers.h"
+
+namespace photonproof::reports::inline reports_view {
+namespace {
+
+using Time = RaceRecord::Time;
+
+/// Ratios keep two digits; beyond 100 whole numbers.
+std::string ratio_text(double ratio) { return ratio >= 100 ? grouped(std::round(ratio)) : significant(ratio, 2); }
+
+std::string seconds_text(const Time& time) {
+  return (time.at_most ? "≤ " : time.more_than ? "> " : "") + significant(time.seconds, 2) + " s";
+}
+
+bool is_slower(const Time& time) {
+  if (!time.ratio) return false;
+  return time.at_least ? time.ratio->value > 1 : time.ratio->interval && time.ratio->interval->low > 1;
+}
+
+std::string clause(const Time& time) {
+  if (time.unranked) return fmt::format("{} needs {}, which leaves the order open", time.engine, seconds_text(time));
+  if (is_slower(time) || !time.ratio->interval)
+    return fmt::format("{} sooner than {}", times_text(*time.ratio, time.at_least), time.engine);
+  return fmt::format("as soon as {} within noise ({} its time)", time.engine, times_text(*time.ratio));
+}
+
+std::string scenes_text(std::size_t count) { return fmt::format("{} scene{}", count, count == 1 ? "" : "s"); }
+
+/// Scenes that one engine wins, and the range of its leads over the second.
+struct Wins {
+  std::string engine;
+  std::size_t scenes = 0;
+  double least = 0, most = 0;
+  bool open_end = false;  ///< a lead is known from below only
+};
+
+void add_win(const RaceRecord& race, std::vector<Wins>& all) {
+  const std::string& engine = race.times.front().engine;
+  auto wins = std::ranges::find(all, engine, &Wins::engine);
+  if (wins == all.end()) wins = all.insert(all.end(), {engine, 0, 0, 0, false});
+  const Time& second = race.times[1];
+  const double low = second.at_least ? second.ratio->value : second.ratio->interval->low;
+  const double high = second.at_least ? second.ratio->value : second.ratio->interval->high;
+  wins->least = wins->scenes == 0 ? low : std::min(wins->least, low);
+  wins->most = std::max(wins->most, high);
+  wins->open_end |= second.at_least;
+  ++wins->scenes;
+}
+
+}  // namespace
+
+std::string times_text(const Estimate& ratio, bool at_least) {
+  if (at_least) return "at least " + ratio_text(ratio.value) + " times";
+  if (!ratio.interval) return "about " + ratio_text(ratio.value) + " times";
+  const std::string low = ratio_text(ratio.interval->low), high = ratio_text(ratio.interval->high);
+  return low == high ? low + " times" : low + " to " + high + " times";
+}
+
+bool has_winner(const RaceRecord& race) {
+  const auto ranked = std::ranges::count(race.times, false, &Time::unranked);
+  return ranked > 1 && std::ranges::all_of(race.times.begin() + 1, race.times.begin() + ranked, is_slower);
+}
+
+std::string race_text(const RaceRecord& race) {
+  if (race.times.empty()) return fmt::format("{} is not judged: {}", race.scene, race.undecided);
+  std::string text =
+      fmt::format("{} reaches relMSE {} on {}", race.times.front().engine, significant(race.relmse, 2), race.scene);
+  for (const Time& time : race.times)
+    if (&time != &race.times.front())
+      text += (&time == &race.times[1] ? " " : time.unranked ? "; " : ", ") + clause(time);
+  return text;
+}
+
+std::string equal_time_text(const RaceRecord& race) {
+  if (race.errors.empty()) return {};
+  std::string text = fmt::format("In {} s the relMSE is ", significant(race.seconds, 2));
+  for (const RaceRecord::Error& error : race.errors) {
+    if (&error != &race.errors.front()) text += ", ";
+    text += fmt::format("{} by {}", significant(error.relmse.value, 2), error.engine);
+    if (error.ratio) text += fmt::format(" ({} that)", times_text(*error.ratio));
+  }
+  return text;
+}
+
+std::string races_sentence(const View& view) {
+  std::vector<Wins> all;
+  std::size_t open = 0;
+  for (const RaceRecord* race : view.races) {
+    if (has_winner(*race))
+      add_win(*race, all);
+    else
+      ++open;
+  }
+  if (view.races.empty()) return {};
+  std::ranges::stable_sort(all, std::greater{}, &Wins::scenes);
+  std::string text;
+  for (const Wins& wins : all) {
+    const std::string lead =
+        wins.open_end && wins.least == wins.most
+            ? times_text({wins.least, {}}, true)
+            : times_text({wins.least, Interval{wins.least, wins.most}}) + (wins.open_end ? " or more" : "");
+    text += text.empty() ? fmt::format("{} is fastest to the same error on {} of {}, {} sooner than the next",
+                                       wins.engine, wins.scenes, scenes_text(view.races.size()), lead)
+                         : fmt::format("; {} on {}, {}", wins.engine, wins.scenes, lead);
+  }
+  if (text.empty())
+    return "No engine is known to be faster on " +
+           (view.races.size() == 1 ? "the one scene" : fmt::format("any of {} scenes", view.races.size()));
+  if (open > 0) text += fmt::format("; {} undecided", open);
+  return text;
+}
+
+RaceTable race_table(const View& view) {
+  RaceTable table;
+  for (const std::size_t engine : view.compared) table.engines.push_back(view.engines[engine].name);
+  for (const RaceRecord* race : view.races) {
+    RaceTable::Row row{race->scene, significant(race->relmse, 2), {}, race->undecided};
+    const bool won = has_winner(*race);
+    for (const std::string& engine : table.engines) {
+      const auto time = std::ranges::find(race->times, engine, &Time::engine);
+      RaceTable::Cell cell{undefined_number, "", false};
+      if (time != race->times.end())
+        cell = {seconds_text(*time), time->ratio ? times_text(*time->ratio, time->at_least) : "",
+                won && time == race->times.begin()};
+      row.cells.push_back(std::move(cell));
+    }
+    table.rows.push_back(std::move(row));
+  }
+  return table;
+}
+
+}  // namespace photonproof::reports::inline reports_view

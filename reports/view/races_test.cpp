@@ -1,0 +1,84 @@
+#include "reports/view/races.h"
+
+#include "reports/view/console_conclusions.h"
+#include "reports/view/test_sample_results.h"
+
+namespace photonproof::reports::inline reports_view {
+namespace {
+
+using Time = RaceRecord::Time;
+
+RaceRecord race_of(const std::string& scene, const std::vector<Time>& times) {
+  RaceRecord race;
+  race.scene = scene;
+  race.relmse = 0.001;
+  race.times = times;
+  return race;
+}
+
+Time first(const std::string& engine) { return {.engine = engine, .seconds = 1}; }
+Time slower(const std::string& engine, double ratio, std::optional<Interval> interval) {
+  return {.engine = engine, .seconds = ratio, .ratio = Estimate{ratio, interval}};
+}
+
+TEST(Races, say_how_many_times_sooner_with_the_interval) {
+  const RaceRecord race = sample_races().front();
+  EXPECT_EQ(race_text(race),
+            "photon reaches relMSE 0.050 on box 9.0 to 11 times sooner than path; povray needs ≤ 2.5 s, which leaves "
+            "the order open");
+  EXPECT_EQ(equal_time_text(race), "In 2.0 s the relMSE is 0.030 by photon, 0.24 by path (7.0 to 9.0 times that)");
+  EXPECT_TRUE(has_winner(race));
+}
+
+TEST(Races, call_a_difference_within_noise_a_tie) {
+  const RaceRecord tie = race_of("lens", {first("path"), slower("bdpt", 1.1, Interval{0.9, 1.3})});
+  EXPECT_EQ(race_text(tie),
+            "path reaches relMSE 0.0010 on lens as soon as bdpt within noise (0.90 to 1.3 times its time)");
+  EXPECT_FALSE(has_winner(tie));
+}
+
+TEST(Races, have_no_winner_without_an_interval) {
+  const RaceRecord one_seed = race_of("lens", {first("path"), slower("bdpt", 3, {})});
+  EXPECT_EQ(race_text(one_seed), "path reaches relMSE 0.0010 on lens about 3.0 times sooner than bdpt");
+  EXPECT_FALSE(has_winner(one_seed));
+}
+
+TEST(Races, give_a_bound_as_a_bound) {
+  Time bound{.engine = "path", .seconds = 9, .more_than = true, .ratio = Estimate{7, {}}, .at_least = true};
+  const RaceRecord race = race_of("lens", {first("photonmapper"), bound});
+  EXPECT_EQ(race_text(race), "photonmapper reaches relMSE 0.0010 on lens at least 7.0 times sooner than path");
+  EXPECT_TRUE(has_winner(race));
+}
+
+// Leads of 2 to 3 and of 9 to 11 times, a tie, and a win of the other engine.
+TEST(Races, are_summed_up_in_one_sentence) {
+  Results results;
+  results.races = {race_of("a", {first("pm"), slower("path", 2.5, Interval{2, 3})}),
+                   race_of("b", {first("pm"), slower("path", 10, Interval{9, 11})}),
+                   race_of("c", {first("path"), slower("pm", 1.1, Interval{0.9, 1.3})}),
+                   race_of("d", {first("path"), slower("pm", 4, Interval{4, 4})})};
+  EXPECT_EQ(races_sentence(arrange(results)),
+            "pm is fastest to the same error on 2 of 4 scenes, 2.0 to 11 times sooner than the next; path on 1, 4.0 "
+            "times; 1 undecided");
+  results.races.erase(results.races.begin(), results.races.begin() + 2);
+  results.races.pop_back();
+  EXPECT_EQ(races_sentence(arrange(results)), "No engine is known to be faster on the one scene");
+  results.races.clear();
+  EXPECT_EQ(races_sentence(arrange(results)), "");
+}
+
+TEST(Races, are_a_table_of_scenes_and_engines_on_the_console) {
+  const Results results = sample_conclusions();
+  const std::string text = console_conclusions(arrange(results), true);
+  EXPECT_NE(text.find("\033[1m1.2 s\033[0m"), std::string::npos) << "the winner in bold: " << text;
+  const std::string plain = console_conclusions(arrange(results), false);
+  EXPECT_EQ(plain.find('\033'), std::string::npos);
+  EXPECT_NE(plain.find("time to  relMSE  photon  povray\n"
+                       "box      0.050   1.2 s   ≤ 2.5 s\n"
+                       "hole: not judged, the measured errors decide no order: photon 0.2, povray 0.1\n"),
+            std::string::npos)
+      << plain;
+}
+
+}  // namespace
+}  // namespace photonproof::reports::inline reports_view
