@@ -114,7 +114,7 @@ TEST_F(OpaqueScene, a_bench_takes_the_same_reference) {
   put("bench.toml", text + "[[run]]\nengine = 'good'\nbudgets = ['spp=64']\nseeds = [1, 2, 3]\n");
   const ProcessOutcome outcome = run({"bench", folder_ / "bench.toml", "-o", folder_ / "bench"});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.standard_error;
-  EXPECT_NE(outcome.standard_output.find("scene, good, 64 spp: right within"), std::string::npos)
+  EXPECT_NE(outcome.standard_output.find("scene  good    64 spp  right within"), std::string::npos)
       << outcome.standard_output;
 }
 
