@@ -26,6 +26,7 @@ bool is_slower(const Time& time) {
 
 std::string clause(const Time& time) {
   if (time.unranked) return fmt::format("{} needs {}, which leaves the order open", time.engine, seconds_text(time));
+  if (!time.ratio) return fmt::format("{} needs {}", time.engine, seconds_text(time));  // in older records
   if (is_slower(time) || !time.ratio->interval)
     return fmt::format("{} sooner than {}", times_text(*time.ratio, time.at_least), time.engine);
   return fmt::format("as soon as {} within noise ({} its time)", time.engine, times_text(*time.ratio));
@@ -74,7 +75,7 @@ std::string race_text(const RaceRecord& race) {
       fmt::format("{} reaches relMSE {} on {}", race.times.front().engine, significant(race.relmse, 2), race.scene);
   for (const Time& time : race.times)
     if (&time != &race.times.front())
-      text += (&time == &race.times[1] ? " " : time.unranked ? "; " : ", ") + clause(time);
+      text += (!time.ratio ? "; " : &time == &race.times[1] ? " " : ", ") + clause(time);
   return text;
 }
 

@@ -50,6 +50,12 @@ TEST(Races, give_a_bound_as_a_bound) {
   EXPECT_TRUE(has_winner(race));
 }
 
+TEST(Races, of_older_records_have_times_without_ratios) {
+  const RaceRecord older = race_of("lens", {first("path"), {.engine = "bdpt", .seconds = 3}});
+  EXPECT_EQ(race_text(older), "path reaches relMSE 0.0010 on lens; bdpt needs 3.0 s");
+  EXPECT_FALSE(has_winner(older));
+}
+
 // Leads of 2 to 3 and of 9 to 11 times, a tie, and a win of the other engine.
 TEST(Races, are_summed_up_in_one_sentence) {
   Results results;
