@@ -61,7 +61,7 @@ CorrectnessRecord judge_correctness(const Judge& judge, const Engine& engine, co
   record.sentence =
       (count_repeats(pointers).different == 1 ? "all seeds gave the same image; " : "") + judgement.sentence;
   if (judgement.observed.interval) record.whole = judgement.observed;
-  // Without a bound every block is outside, so this is the block that is surest to be off.
+  // With a bound of 0 this is the block that is surest to be off.
   if (record.verdict == Correctness::biased) record.block = judge_bias(deviations, true, 0, correctness_alpha).observed;
   record.would_see = judgement.would_see;
   record.would_see_in_a_block = judgement.would_see_in_a_block;
@@ -77,6 +77,7 @@ void reconcile(std::span<ConvergencePoint> points) {
     if (!record) continue;
     if (record->verdict == Correctness::biased && acquitted != nullptr) {
       record->verdict = Correctness::noisy;
+      record->block.reset();
       record->sentence = "too few samples to meet rare bright ones, for " + acquitted->budget.label() +
                          " does not show this: " + record->sentence;
     } else if (record->verdict == Correctness::right || record->verdict == Correctness::noisy) {

@@ -201,19 +201,15 @@ std::string why_no_error(const ConvergencePoint& point) {
 }
 
 void set_slope(const KnownPoints& known, Convergence& curve) {
-  std::vector<double> log_seconds, log_relmse;
-  for (const ConvergencePoint* point : known.points) {
-    log_seconds.push_back(std::log(point->seconds.value));
-    log_relmse.push_back(std::log(point->relmse->value));
-  }
-  if (log_seconds.size() < least_points_for_slope) {
-    curve.undefined["slope"] = !known.leap.empty()       ? known.leap
-                               : log_seconds.empty()     ? no_own_error
-                               : log_seconds.size() == 1 ? "one budget"
-                                                         : "two budgets";
+  const std::size_t budgets = known.points.size();
+  if (budgets < least_points_for_slope) {
+    curve.undefined["slope"] = !known.leap.empty() ? known.leap
+                               : budgets == 0      ? no_own_error
+                               : budgets == 1      ? "one budget"
+                                                   : "two budgets";
     return;
   }
-  const auto fit = fit_line(log_seconds, log_relmse);
+  const auto fit = fit_in_logarithms(known);
   if (!fit) {
     curve.undefined["slope"] = "budgets take the same time";
     return;

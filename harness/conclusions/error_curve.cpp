@@ -6,8 +6,6 @@
 #include <cmath>
 #include <limits>
 
-#include "harness/statistics/statistics.h"
-
 namespace photonproof::inline harness_conclusions {
 namespace {
 
@@ -16,12 +14,14 @@ constexpr double tolerated_growth = 2;
 
 using Points = std::vector<const ConvergencePoint*>;
 
-// A place on the line between two points in logarithms, or at one point alone (`to` is then null).
+// A place on the line between two points in logarithms. At a point itself both are that point.
 struct Place {
   const ConvergencePoint* from = nullptr;
   const ConvergencePoint* to = nullptr;
   double share = 0;  // of the way to `to`
 };
+
+Place at_point(const ConvergencePoint* point) { return {point, point, 0}; }
 
 // Logarithmic distances of an estimate from the ends of its interval; infinite where it is not known.
 struct Margin {
@@ -44,7 +44,7 @@ std::optional<Place> place_of_error(const Points& points, double relmse) {
   if (below == points.size()) return std::nullopt;
   if (below == 0) {
     if (points[0]->relmse->value != relmse) return std::nullopt;
-    return Place{points[0], points.size() > 1 ? points[1] : nullptr, 0};
+    return at_point(points[0]);
   }
   const ConvergencePoint *from = points[below - 1], *to = points[below];
   return Place{from, to, log_ratio(from->relmse->value, relmse) / log_ratio(from->relmse->value, to->relmse->value)};
@@ -52,7 +52,7 @@ std::optional<Place> place_of_error(const Points& points, double relmse) {
 
 std::optional<Place> place_of_time(const Points& points, double seconds) {
   for (std::size_t i = 0; i < points.size(); ++i) {
-    if (points[i]->seconds.value == seconds) return Place{points[i], nullptr, 0};
+    if (points[i]->seconds.value == seconds) return at_point(points[i]);
     if (i > 0 && points[i - 1]->seconds.value < seconds && seconds < points[i]->seconds.value)
       return Place{points[i - 1], points[i],
                    log_ratio(seconds, points[i - 1]->seconds.value) /
@@ -61,15 +61,10 @@ std::optional<Place> place_of_time(const Points& points, double seconds) {
   return std::nullopt;
 }
 
-// d ln error / d ln time: least squares over all points, since a slope between two noisy points is itself noise. Plain
-// Monte Carlo's where a single time gives none.
-double slope_of(const Points& points) {
-  std::vector<double> log_seconds, log_relmse;
-  for (const ConvergencePoint* point : points) {
-    log_seconds.push_back(std::log(point->seconds.value));
-    log_relmse.push_back(std::log(point->relmse->value));
-  }
-  const auto fit = fit_line(log_seconds, log_relmse);
+// d ln error / d ln time over all points, since a slope between two noisy points is itself noise. Plain Monte Carlo's
+// where a single time gives none.
+double slope_of(const KnownPoints& curve) {
+  const auto fit = fit_in_logarithms(curve);
   return fit ? fit->slope : -1;
 }
 
@@ -79,7 +74,7 @@ double slope_of(const Points& points) {
 std::optional<Interval> interval_at(const Place& place, double value, double by_relmse, double by_seconds) {
   const auto margin_at = [&](auto margin) {
     const Margin from = margin(*place.from);
-    if (place.to == nullptr || place.share == 0) return from;
+    if (place.share == 0) return from;
     const Margin to = margin(*place.to);
     return Margin{std::lerp(from.down, to.down, place.share), std::lerp(from.up, to.up, place.share)};
   };
@@ -126,6 +121,15 @@ KnownPoints known_points(const Convergence& curve) {
   return known;
 }
 
+std::optional<LineFit> fit_in_logarithms(const KnownPoints& curve) {
+  std::vector<double> log_seconds, log_relmse;
+  for (const ConvergencePoint* point : curve.points) {
+    log_seconds.push_back(std::log(point->seconds.value));
+    log_relmse.push_back(std::log(point->relmse->value));
+  }
+  return fit_line(log_seconds, log_relmse);
+}
+
 TargetTime time_to_target(const KnownPoints& curve, double relmse) {
   TargetTime target{relmse};
   if (curve.points.empty()) {
@@ -133,9 +137,8 @@ TargetTime time_to_target(const KnownPoints& curve, double relmse) {
     return target;
   }
   if (const std::optional<Place> place = place_of_error(curve.points, relmse)) {
-    const double to = place->to == nullptr ? place->from->seconds.value : place->to->seconds.value;
-    const double seconds = interpolated(place->from->seconds.value, to, place->share);
-    const double slope = slope_of(curve.points);
+    const double seconds = interpolated(place->from->seconds.value, place->to->seconds.value, place->share);
+    const double slope = slope_of(curve);
     target.seconds = Estimate{seconds, slope < 0 ? interval_at(*place, seconds, 1 / slope, 1) : std::nullopt};
   } else if (curve.points.front()->relmse->value <= relmse) {
     target.at_most = curve.points.front()->seconds.value;
@@ -148,9 +151,8 @@ TargetTime time_to_target(const KnownPoints& curve, double relmse) {
 std::optional<Estimate> error_at_time(const KnownPoints& curve, double seconds) {
   const std::optional<Place> place = place_of_time(curve.points, seconds);
   if (!place) return std::nullopt;
-  const double to = place->to == nullptr ? place->from->relmse->value : place->to->relmse->value;
-  const double error = interpolated(place->from->relmse->value, to, place->share);
-  return Estimate{error, interval_at(*place, error, 1, slope_of(curve.points))};
+  const double error = interpolated(place->from->relmse->value, place->to->relmse->value, place->share);
+  return Estimate{error, interval_at(*place, error, 1, slope_of(curve))};
 }
 
 }  // namespace photonproof::inline harness_conclusions

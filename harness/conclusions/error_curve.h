@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "harness/statistics/statistics.h"
 #include "reports/record/results.h"
 
 namespace photonproof::inline harness_conclusions {
@@ -29,6 +30,9 @@ struct KnownPoints {
   std::string leap;  ///< "error grows from 0.006 at spp=16 to 1.25 at spp=64"; empty where it does not
 };
 KnownPoints known_points(const Convergence& curve);
+
+/// Least squares of log relmse on log seconds; empty with fewer than two different times.
+std::optional<LineFit> fit_in_logarithms(const KnownPoints& curve);
 
 /// The time at which the curve comes down to `relmse` and stays there, or the reason why it is not known. It is
 /// interpolated in logarithms. Half-widths of its interval, in logarithms: h^2 = h(seconds)^2 + (h(relmse) / slope)^2,

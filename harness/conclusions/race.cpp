@@ -271,10 +271,6 @@ std::vector<RaceRecord> races_of_scene(const std::vector<const Convergence*>& cu
 
 }  // namespace
 
-bool is_decided(const Estimate& ratio) {
-  return ratio.interval && (ratio.interval->low > 1 || ratio.interval->high < 1);
-}
-
 std::vector<RaceRecord> races_of(const std::vector<Convergence>& curves) {
   std::vector<std::vector<const Convergence*>> scenes;
   for (const Convergence& curve : curves) {

@@ -22,7 +22,4 @@ namespace photonproof::inline harness_conclusions {
 /// the least that the intervals allow. Errors of an engine that grow with the budget (known_points) are left out.
 std::vector<RaceRecord> races_of(const std::vector<Convergence>& curves);
 
-/// Whether the interval of a ratio excludes 1, so that chance does not explain the order.
-bool is_decided(const Estimate& ratio);
-
 }  // namespace photonproof::inline harness_conclusions

@@ -6,7 +6,6 @@
 #include "reports/view/conclusions.h"
 #include "reports/view/metric_columns.h"
 #include "reports/view/numbers.h"
-#include "reports/view/races.h"
 #include "reports/view/text.h"
 #include "reports/view/verdicts.h"
 #include "reports/view/view.h"

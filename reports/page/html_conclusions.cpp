@@ -104,8 +104,7 @@ data race_data(const RaceTable::Row& row, const RaceRecord& race, std::size_t en
 
 void set_races(data& page, const View& view) {
   const RaceTable table = race_table(view);
-  data engines(data::type::list), races(data::type::list);
-  for (const std::size_t engine : view.compared) engines.push_back(engine_data(view, engine));
+  data races(data::type::list);
   for (std::size_t i = 0; i < table.rows.size(); ++i) {
     data item = race_data(table.rows[i], *view.races[i], table.engines.size());
     item.set("href", scene_id(view, view.races[i]->scene));
@@ -113,7 +112,6 @@ void set_races(data& page, const View& view) {
   }
   page.set("has_races", !table.rows.empty());
   page.set("races_sentence", printable(races_sentence(view)));
-  page.set("race_engines", engines);
   page.set("races", races);
 }
 

@@ -165,7 +165,7 @@ struct ConvergencePoint {
   int seeds = 0;                   ///< finished cells
   Estimate seconds;                ///< median, by the curve's clock
   std::optional<Estimate> relmse;  ///< mean; absent without a reference
-  /// Interval of relmse by the spread over seeds alone, where relmse has none: rare bright samples may be missing.
+  /// Interval of relmse by the spread over seeds. Set where relmse has none, since rare bright samples may be missing.
   std::optional<Interval> spread_of_seeds{};
   std::optional<Estimate> bias2;     ///< relative as relmse is; present if its interval excludes 0
   std::optional<Estimate> variance;  ///< relative, of one image; needs two seeds
@@ -203,28 +203,28 @@ struct Convergence {
 struct RaceRecord {
   struct Time {
     std::string engine;
-    double seconds = 0;                  ///< interpolated between its budgets, or a bound
-    bool at_most = false;                ///< its smallest budget is below that error already: it may need less
-    bool more_than = false;              ///< its largest budget is still above that error: it needs more
-    bool unranked = false;               ///< a bound that leaves open which engine is faster
-    std::optional<Interval> interval{};  ///< of a value, by convergence.h
-    std::optional<Estimate> ratio{};     ///< of its seconds to the first engine's; absent for that and where unranked
-    bool at_least = false;               ///< the ratio is a bound that holds with the interval's confidence
+    double seconds = 0;                  ///< Interpolated between its budgets, or a bound.
+    bool at_most = false;                ///< Its smallest budget is below that error already, so it may need less.
+    bool more_than = false;              ///< Its largest budget is still above that error, so it needs more.
+    bool unranked = false;               ///< A bound that leaves the order open.
+    std::optional<Interval> interval{};  ///< Interval of a value, by error_curve.h.
+    std::optional<Estimate> ratio{};     ///< Ratio to the first engine's seconds. The first and the unranked have none.
+    bool at_least = false;               ///< The ratio is a bound, which holds with the interval's confidence.
     friend bool operator==(const Time&, const Time&) = default;
   };
   struct Error {
     std::string engine;
-    Estimate relmse;                  ///< interpolated between its budgets
-    std::optional<Estimate> ratio{};  ///< to the least error; absent for that
+    Estimate relmse;                  ///< Interpolated between its budgets.
+    std::optional<Estimate> ratio{};  ///< Ratio to the least error, which has none.
     friend bool operator==(const Error&, const Error&) = default;
   };
   std::string scene;
   double relmse = 0;
-  bool is_target = false;     ///< the suite asks for this error
-  std::vector<Time> times;    ///< fastest first, then engines without a rank; empty if `undecided`
-  double seconds = 0;         ///< the time of `errors`
-  std::vector<Error> errors;  ///< least first; empty where fewer than two engines have budgets around one time
-  std::string undecided{};    ///< why no engine is known to be faster
+  bool is_target = false;     ///< The suite asks for this error.
+  std::vector<Time> times;    ///< Fastest first, then engines without a rank. Empty if `undecided`.
+  double seconds = 0;         ///< The time of `errors`.
+  std::vector<Error> errors;  ///< Least first. Empty where fewer than two engines have budgets around one time.
+  std::string undecided{};    ///< The reason why no engine is known to be faster.
   friend bool operator==(const RaceRecord&, const RaceRecord&) = default;
 };
 

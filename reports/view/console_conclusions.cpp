@@ -18,16 +18,25 @@ Emphasis emphasis_of(const CorrectnessRecord& record) {
   return look == "good" ? Emphasis::good : look == "poor" ? Emphasis::poor : Emphasis::none;
 }
 
+/// Engines at their largest budgets; numbers have the mark of a doubtful reference.
 std::string verdict_table(const View& view, bool colours) {
+  const auto number = [](double value) { return significant(value); };
   std::vector<Row> rows;
-  for (const VerdictRow& row : verdict_rows(view)) {
-    const bool again = !rows.empty() && rows.back().front().text == row.scene;
-    rows.push_back({{row.scene, again ? Emphasis::quiet : Emphasis::none},
-                    {row.engine},
-                    {row.budget},
-                    {verdict_text(*row.correctness), emphasis_of(*row.correctness)},
-                    {row.relmse},
-                    {row.seconds}});
+  for (const SceneView& scene : view.scenes) {
+    bool again = false;
+    for (const EngineOutcome& outcome : scene.engines) {
+      if (outcome.shown == nullptr) continue;
+      const Result& shown = *outcome.shown;
+      const CorrectnessRecord* record = correctness_of(scene, shown.cell);
+      if (record == nullptr) continue;
+      rows.push_back({{scene.record.name, again ? Emphasis::quiet : Emphasis::none},
+                      {shown.cell.engine},
+                      {budget_text(shown.cell.budget)},
+                      {verdict_text(*record), emphasis_of(*record)},
+                      {or_dash(metric(shown, "relmse"), number) + doubt_mark(scene)},
+                      {or_dash(shown.wall_seconds, number)}});
+      again = true;
+    }
   }
   if (rows.empty()) return {};
   return console_table({"scene", "engine", "budget", "verdict", "relMSE", "seconds"}, rows, 4, colours) + "\n";

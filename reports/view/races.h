@@ -28,9 +28,9 @@ std::string races_sentence(const View& view);
 /// Times to an equal error: a row for each race, a column for each engine.
 struct RaceTable {
   struct Cell {
-    std::string time;   ///< "0.31 s", "> 9 s"; the dash where the engine took no part
-    std::string ratio;  ///< "3.2 to 4.1 times", "at least 70 times"; empty for the first and without a rank
-    bool best = false;  ///< the winner's
+    std::string time;   ///< "0.31 s" or "> 9 s". The dash stands for an engine without a known error.
+    std::string ratio;  ///< "3.2 to 4.1 times" or "at least 70 times". Empty for the first, and without a rank.
+    bool best = false;  ///< Set for the winner.
   };
   struct Row {
     std::string scene, relmse;

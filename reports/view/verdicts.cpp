@@ -147,22 +147,6 @@ std::vector<EngineGlance> glances(const View& view) {
   return out;
 }
 
-std::vector<VerdictRow> verdict_rows(const View& view) {
-  std::vector<VerdictRow> rows;
-  for (const SceneView& scene : view.scenes) {
-    for (const EngineOutcome& outcome : scene.engines) {
-      if (outcome.shown == nullptr) continue;
-      const Result& shown = *outcome.shown;
-      const CorrectnessRecord* record = correctness_of(scene, shown.cell);
-      if (record == nullptr) continue;
-      rows.push_back({scene.record.name, shown.cell.engine, budget_text(shown.cell.budget), record,
-                      or_dash(metric(shown, "relmse"), [](double v) { return significant(v); }) + doubt_mark(scene),
-                      or_dash(shown.wall_seconds, [](double v) { return significant(v); })});
-    }
-  }
-  return rows;
-}
-
 std::vector<std::string> verdict_notes(const View& view) {
   std::vector<std::string> notes;
   for (const SceneView& scene : view.scenes)

@@ -40,14 +40,6 @@ struct EngineGlance {
 };
 std::vector<EngineGlance> glances(const View& view);
 
-/// The verdict, error and time of an engine on a scene at its largest budget.
-struct VerdictRow {
-  std::string scene, engine, budget;
-  const CorrectnessRecord* correctness = nullptr;
-  std::string relmse, seconds;  ///< with the mark of a doubtful reference
-};
-std::vector<VerdictRow> verdict_rows(const View& view);
-
 /// Losses that engines declare, then the marks' meanings.
 std::vector<std::string> verdict_notes(const View& view);
 
