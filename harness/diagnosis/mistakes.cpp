@@ -263,7 +263,7 @@ bool is_object(const SceneDescription& scene, const ShapeDescription& shape) {
       Overloaded{[](const SphereDescription&) { return true; }, [](const CubeDescription&) { return true; },
                  [](const DiskDescription&) { return true; }, [](const CylinderDescription&) { return true; },
                  [](const MeshDescription&) { return true; }, [](const CurvesDescription&) { return true; },
-                 [](const SdfGridDescription&) { return true; },
+                 [](const SdfGridDescription&) { return true; }, [](const EllipsoidsDescription&) { return true; },
                  [&](const RectangleDescription&) { return look_of(scene, shape) != Look::diffuse; },
                  [](const HeightfieldDescription&) { return false; }, [](const PlaneDescription&) { return false; },
                  [](const InstanceDescription&) { return false; }},

@@ -8,6 +8,7 @@ import re
 from dataclasses import dataclass
 
 import mitsuba_departures
+import mitsuba_ellipsoid_scenes as ellipsoids
 import mitsuba_meter_scenes as meters
 from mitsuba_scene_parts import (BOX, FLOOR, LAMP, LAMP_PLACE, LOOK, PATH, SKY, VOLPATH, area, ball, boolean, bsdf, camera,
                                  element, emitter, film, grey, integer, number, picture, place, point, rgb, scene, shape,
@@ -753,6 +754,9 @@ def departure_cases():
 
 
 def measured_cases():
+    for cases in (ellipsoids.ellipsoid_cases, ellipsoids.field_cases):
+        for name, text, why in cases():
+            yield Case(name, text, why=why)
     for cases in (meters.volume_value_cases, meters.meter_cases, meters.beam_cases):
         for name, text in cases():
             yield Case(name, text)

@@ -34,6 +34,7 @@ from pathlib import Path
 import numpy as np
 
 import mitsuba_departures
+import mitsuba_ellipsoid_scenes
 import mitsuba_parameter_scenes as scenes
 import mitsuba_scene_parts
 
@@ -214,6 +215,7 @@ def run(cases, arguments, mitsuba, photonproof, title=""):
     if not arguments.folder:
         mitsuba_scene_parts.write_files(folder)
         mitsuba_departures.write_files(folder)
+        mitsuba_ellipsoid_scenes.write_files(folder)
     kept_file = folder / "records.json"
     kept = json.loads(kept_file.read_text()) if kept_file.exists() else {}
     records, begun = {}, time.monotonic()

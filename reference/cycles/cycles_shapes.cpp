@@ -267,6 +267,9 @@ class Shapes {
   Form form_of(const Placed& placed, const SdfGridDescription&) const {
     script_.refuse(placed.shape->loc, "a grid of signed distances: Cycles has none");
   }
+  Form form_of(const Placed& placed, const EllipsoidsDescription&) const {
+    script_.refuse(placed.shape->loc, "ellipsoids of a file: Cycles would see their inside");
+  }
   Form form_of(const Placed&, const InstanceDescription&) { throw std::logic_error("instances are flattened"); }
 
   std::string mesh_py(const std::shared_ptr<const TriangleMesh>& mesh, bool turned, bool flip_v, bool smooth) {

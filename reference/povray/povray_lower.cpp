@@ -298,6 +298,11 @@ class Lowering {
                           "a grid of signed distances: POV-Ray finds zeros of functions in steps");
   }
 
+  void place(const PovSurface& surface, const EllipsoidsDescription&) {
+    throw Unrepresentable(scene_.description->where(surface.shape->loc),
+                          "ellipsoids of a file: POV-Ray would see their inside");
+  }
+
   template <class Other>
   void place(const PovSurface&, const Other&) {
     throw std::logic_error("planes and instances are not placed as they are");

@@ -116,6 +116,20 @@ void check_direct(const SceneDescription& description, const IntegratorDescripti
                      "emitter_samples and bsdf_samples must not be negative, nor both 0");
 }
 
+void check_radiance_field(const SceneDescription& description, const IntegratorDescription& method) {
+  if (!std::holds_alternative<RadianceFieldDescription>(method.method)) return;
+  const auto check = [&](const ShapeDescription& shape) {
+    const auto* ellipsoids = std::get_if<EllipsoidsDescription>(&shape.geometry);
+    if (ellipsoids != nullptr && !ellipsoids->cloud->is_radiance_field())
+      throw InputError(description.where(shape.loc),
+                       "integrator 'volprim_rf_basic' needs opacities and spherical "
+                       "harmonics, which '" +
+                           ellipsoids->filename + "' lacks");
+  };
+  std::ranges::for_each(description.shapes, check);
+  for (const ShapeGroupDescription& group : description.groups) std::ranges::for_each(group.shapes, check);
+}
+
 bool is_single_camera(const SensorDescription& sensor) {
   return !is_meter(sensor) && !std::holds_alternative<BatchDescription>(sensor.camera);
 }
@@ -145,6 +159,7 @@ void check_supported(const SceneDescription& description, const IntegratorDescri
   check_priorities(description, row);
   check_sensor(description, row);
   check_direct(description, method);
+  check_radiance_field(description, method);
 }
 
 void check_view(const SceneDescription& description, const RenderJob& job) {

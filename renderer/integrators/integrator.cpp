@@ -7,6 +7,7 @@
 #include "renderer/integrators/light_survey.h"
 #include "renderer/integrators/particle_tracer.h"
 #include "renderer/integrators/path_integrator.h"
+#include "renderer/integrators/radiance_field.h"
 #include "renderer/integrators/volpath.h"
 #include "renderer/integrators/whitted.h"
 #include "renderer/passes/tile_film.h"
@@ -90,6 +91,13 @@ std::vector<Integrator> integrators_of_one_path() {
        .render = render_whitted,
        .heeds = {.isa = false, .target_error = true},
        .stream = whitted_stream},
+      {.name = "volprim_rf_basic",
+       .summary = "a radiance field of ellipsoids: 3D Gaussians blended in the order in which rays enter them",
+       .parts = {"ellipsoids"},
+       .plan = plan_radiance_field,
+       .render = render_radiance_field,
+       .heeds = {.isa = false, .target_error = true},
+       .stream = radiance_field_stream},
   };
 }
 

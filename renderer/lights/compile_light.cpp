@@ -68,6 +68,7 @@ struct LightShaper {
   LightShape operator()(const MeshInstance&) const { refuse(); }
   LightShape operator()(const Curves&) const { refuse(); }
   LightShape operator()(const SdfGrid&) const { refuse(); }
+  LightShape operator()(const Ellipsoids&) const { refuse(); }
   LightShape operator()(const auto& other) const { return light_shape(other, shape, to_world); }
 
  private:

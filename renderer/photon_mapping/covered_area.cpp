@@ -52,7 +52,8 @@ std::optional<Solid> solid_of(const Geometry& geometry) {
                  [](const Quad&) { return MaybeSolid(); }, [](const renderer_shapes::Plane&) { return MaybeSolid(); },
                  [](const Disk&) { return MaybeSolid(); }, [](const Cylinder&) { return MaybeSolid(); },
                  [](const Mesh&) { return MaybeSolid(); }, [](const MeshInstance&) { return MaybeSolid(); },
-                 [](const Curves&) { return MaybeSolid(); }, [](const SdfGrid&) { return MaybeSolid(); }},
+                 [](const Curves&) { return MaybeSolid(); }, [](const SdfGrid&) { return MaybeSolid(); },
+                 [](const Ellipsoids&) { return MaybeSolid(); }},
       geometry);
 }
 
@@ -79,7 +80,7 @@ std::optional<Footprint> footprint(const Solid& solid, const Geometry& geometry)
                  [](const Disk&) { return MaybeFootprint(); }, [](const Sphere&) { return MaybeFootprint(); },
                  [](const Cylinder&) { return MaybeFootprint(); }, [](const Mesh&) { return MaybeFootprint(); },
                  [](const MeshInstance&) { return MaybeFootprint(); }, [](const Curves&) { return MaybeFootprint(); },
-                 [](const SdfGrid&) { return MaybeFootprint(); }},
+                 [](const SdfGrid&) { return MaybeFootprint(); }, [](const Ellipsoids&) { return MaybeFootprint(); }},
       geometry);
 }
 

@@ -88,6 +88,8 @@ GatherAreas::GatherAreas(const Scene& scene, const Threads& threads)
     if (!any_stored) continue;
     if (const auto* curves = std::get_if<Curves>(&scene.surfaces[i].geometry))
       curves_.emplace(static_cast<std::uint32_t>(i), *curves);
+    if (const auto* ellipsoids = std::get_if<Ellipsoids>(&scene.surfaces[i].geometry))
+      ellipsoids_.emplace(static_cast<std::uint32_t>(i), *ellipsoids);
     const Mesh* mesh = mesh_of(scene.surfaces[i].geometry);
     if (mesh == nullptr) continue;
     std::unique_ptr<const MeshArea>& made = meshes_[mesh];
@@ -134,7 +136,9 @@ void GatherAreas::fill(GatherQueue& points) const {
 
 bool GatherAreas::shares_area(std::uint32_t surface) const {
   const MeshArea* mesh = mesh_of_[surface_number(surface)];
-  return mesh != nullptr && mesh->triangle_count() > most_measured_each;
+  const auto* ellipsoids = std::get_if<Ellipsoids>(&scene_.surfaces[surface_number(surface)].geometry);
+  return (mesh != nullptr && mesh->triangle_count() > most_measured_each) ||
+         (ellipsoids != nullptr && ellipsoids->places.size() > most_measured_each);
 }
 
 GatherAreas::TexturePoint GatherAreas::texture_point(const GatherPoint& point) const {
@@ -185,6 +189,11 @@ float GatherAreas::area(const GatherPoint& point, float radius) const {
                    const Vec3f front = unit_side_normal(point.surface_side);
                    const CurveArea& tubes = curves_.at(surface_number(point.surface));
                    return static_cast<float>(tubes.within(point.p, curves.inward ? -front : front, radius));
+                 },
+                 [&](const Ellipsoids& e) {
+                   const Vec3f front = unit_side_normal(point.surface_side);
+                   const EllipsoidArea& all = ellipsoids_.at(surface_number(point.surface));
+                   return static_cast<float>(all.within(point.p, e.inward ? -front : front, radius));
                  },
                  [&](const auto& shape) { return covered_.left_of(disc_area(shape, point.p, radius), point, radius); }},
       geometry);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "renderer/areas/curve_area.h"
+#include "renderer/areas/ellipsoid_area.h"
 #include "renderer/areas/mesh_area.h"
 #include "renderer/kernels/tasks.h"
 #include "renderer/photon_mapping/covered_area.h"
@@ -44,7 +45,8 @@ class GatherAreas {
 
   const Scene& scene_;
   std::map<const Mesh*, std::unique_ptr<const MeshArea>> meshes_;
-  std::map<std::uint32_t, CurveArea> curves_;  ///< by surface
+  std::map<std::uint32_t, CurveArea> curves_;          ///< by surface
+  std::map<std::uint32_t, EllipsoidArea> ellipsoids_;  ///< by surface
   struct MayMiss {
     bool lambertian = false, rough = false;
   };

@@ -45,6 +45,9 @@ bool whitted_finds(const LightRoute& route) {
   return path_finds(route) && std::all_of(first, route.turns.end(), is_delta_turn);
 }
 
+/// Ellipsoids have colours of their own.
+bool field_finds(const LightRoute&) { return false; }
+
 constexpr std::string_view thrown =
     "light of lights without size that mirrors, glass, clear coats or holes send on (caustics)";
 constexpr std::string_view thrown_on_sharp =
@@ -62,6 +65,8 @@ constexpr LightFinder finders[] = {
      "light that the camera sees in mirrors, glass, clear coats or through holes"},
     {"whitted", whitted_finds, false, false, "light that surfaces throw on each other (interreflection and caustics)"},
     {"direct", direct_finds, false, false, "light that is reflected or refracted more than once"},
+    {"volprim_rf_basic", field_finds, false, false,
+     "light of all lights: it shows ellipsoids with colours of their own"},
 };
 
 }  // namespace

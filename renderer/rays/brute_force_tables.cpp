@@ -20,7 +20,8 @@ Plate plate(const LongFace& face) { return plate(face.corner, face.edge_u, face.
 
 bool BruteForceTables::can_hold(const Geometry& geometry, double largest_ball) {
   if (const auto* sphere = std::get_if<Sphere>(&geometry)) return sphere->radius <= largest_ball;
-  return std::holds_alternative<Quad>(geometry) || std::holds_alternative<Mesh>(geometry);
+  if (const auto* mesh = std::get_if<Mesh>(&geometry)) return mesh->shells_of == nullptr;
+  return std::holds_alternative<Quad>(geometry);
 }
 
 BruteForceTables::BruteForceTables(const std::vector<Surface>& surfaces) : first_primitive_(surfaces.size(), 0) {

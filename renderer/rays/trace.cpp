@@ -11,6 +11,7 @@
 
 #include "renderer/rays/embree.h"
 #include "renderer/rays/embree_curves.h"
+#include "renderer/rays/embree_ellipsoids.h"
 #include "renderer/rays/embree_queries.h"
 #include "renderer/rays/mesh_hits.h"
 #include "renderer/rays/trace_tables.h"
@@ -22,8 +23,9 @@ namespace {
 constexpr unsigned quad_geometry = 0;
 constexpr unsigned first_solved = 1;  // a geometry a table
 constexpr unsigned first_curves =
-    first_solved + std::tuple_size_v<decltype(TraceTables::solved)>;                              // a geometry a basis
-constexpr unsigned first_mesh = first_curves + std::tuple_size_v<decltype(TraceTables::curves)>;  // then the instances
+    first_solved + std::tuple_size_v<decltype(TraceTables::solved)>;  // a geometry a basis
+constexpr unsigned ellipsoids_geometry = first_curves + std::tuple_size_v<decltype(TraceTables::curves)>;
+constexpr unsigned first_mesh = ellipsoids_geometry + 1;  // then the instances
 
 /// Calls visit(table, number of its geometry) for every table of solved shapes.
 template <class Solved, class Visit>
@@ -131,7 +133,8 @@ struct Tracer::Impl {
   /// Its long faces, which are in a table of their own, and those without area. Rays never meet the latter, but would
   /// be tested against their boxes.
   static std::vector<std::size_t> faces_to_leave_out(const Mesh& mesh, const std::vector<LongFace>* long_faces);
-  void attach_mesh(RTCScene to, const Mesh& mesh, const std::vector<LongFace>* long_faces, unsigned id) const;
+  void attach_mesh(RTCScene to, const Mesh& mesh, const std::vector<LongFace>* long_faces, const ShellMesh* shells,
+                   unsigned id) const;
   void build_group(const MeshGroup& group);
   void attach_instance(const PlacedGroup& instance, unsigned id);
 
@@ -210,7 +213,7 @@ std::vector<std::size_t> Tracer::Impl::faces_to_leave_out(const Mesh& mesh, cons
 }
 
 void Tracer::Impl::attach_mesh(RTCScene to, const Mesh& mesh, const std::vector<LongFace>* long_faces,
-                               unsigned id) const {
+                               const ShellMesh* shells, unsigned id) const {
   RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
   rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, mesh.positions.data(), 0,
                              sizeof(Vec3f), mesh.positions.size() - 1);
@@ -227,13 +230,14 @@ void Tracer::Impl::attach_mesh(RTCScene to, const Mesh& mesh, const std::vector<
     // Embree builds no boxes for faces with invalid vertex indices.
     for (const std::size_t face : left_out) triangles[face].fill(std::numeric_limits<std::uint32_t>::max());
   }
+  if (shells != nullptr && shells->faces > 0) open_backs(geometry, *shells);
   attach(to, geometry, id);
 }
 
 void Tracer::Impl::build_group(const MeshGroup& group) {
   groups.push_back(new_scene());
   for (std::size_t part = 0; part < group.parts.size(); ++part)
-    attach_mesh(groups.back(), *group.parts[part], nullptr, static_cast<unsigned>(part));
+    attach_mesh(groups.back(), *group.parts[part], nullptr, nullptr, static_cast<unsigned>(part));
   rtcCommitScene(groups.back());
 }
 
@@ -278,6 +282,11 @@ SurfacePoint Tracer::Impl::locate(unsigned instance, unsigned geometry, unsigned
   }
   if (geometry >= first_mesh)
     return on_mesh(*tables.meshes.shapes[geometry - first_mesh], tables.meshes.surface[geometry - first_mesh]);
+  if (geometry == ellipsoids_geometry) {
+    const EllipsoidTable::Owner& owner = tables.ellipsoids.owner_of(primitive);
+    const ShapePoint point = point_on(*owner.ellipsoids, primitive - owner.first, near);
+    return {point.p, point.normal, owner.surface, primitive - owner.first};
+  }
   if (geometry >= first_curves) {
     const CurveTable::Owner& owner = tables.curves[geometry - first_curves].owner_of(primitive);
     const ShapePoint point = point_on(*owner.curves, primitive - owner.first, double{u}, near);
@@ -337,8 +346,10 @@ Tracer::Tracer(const std::vector<Surface>& surfaces) : impl_(std::make_unique<Im
   for (unsigned i = 0; i < tables.curves.size(); ++i)
     if (const CurveTable& table = tables.curves[i]; !table.segments.empty())
       Impl::attach(impl_->scene, curve_geometry(impl_->device, table), first_curves + i);
+  if (tables.ellipsoids.count > 0)
+    Impl::attach(impl_->scene, ellipsoid_geometry(impl_->device, tables.ellipsoids), ellipsoids_geometry);
   for (std::size_t i = 0; i < tables.meshes.shapes.size(); ++i)
-    impl_->attach_mesh(impl_->scene, *tables.meshes.shapes[i], tables.long_faces_of_mesh[i],
+    impl_->attach_mesh(impl_->scene, *tables.meshes.shapes[i], tables.long_faces_of_mesh[i], &tables.shells_of_mesh[i],
                        static_cast<unsigned>(first_mesh + i));
   for (const MeshGroup& group : tables.groups) impl_->build_group(group);
   for (std::size_t i = 0; i < tables.instances.size(); ++i)
@@ -401,6 +412,16 @@ void Tracer::occluded(const RayBlock& rays, std::uint32_t* blocked) const {
   else
     for_each_lane(open, [&](std::size_t i) { hidden |= is_occluded(impl_->scene, rays, i) ? 1u << i : 0; });
   for (std::size_t i = 0; i < RayBlock::width; ++i) blocked[i] = hidden >> i & 1u;
+}
+
+void Tracer::take_entries(const Vec3f& origin, const Vec3f& direction, CloudEntries& entries) const {
+  RTCRay ray{};
+  ray.org_x = origin.x, ray.org_y = origin.y, ray.org_z = origin.z;
+  ray.dir_x = direction.x, ray.dir_y = direction.y, ray.dir_z = direction.z;
+  ray.tfar = std::numeric_limits<float>::infinity();
+  ray.mask = 0xFFFFFFFFu;
+  impl_->meet_planes(ray);
+  renderer_rays::take_entries(impl_->scene, ray, entries);
 }
 
 std::size_t Tracer::count_hits_alone(const std::vector<RayBlock>& rays, Alone how) const {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "renderer/core/ray.h"
+#include "renderer/rays/cloud_entries.h"
 #include "renderer/shapes/surface.h"
 
 namespace photonproof::inline renderer_rays {
@@ -43,6 +44,9 @@ class Tracer {
   void intersect(const RayBlock& rays, HitBlock& hits, bool coherent) const;
   /// blocked[i] = 1 where a surface lies on the segment from the origin to origin + direction, else 0.
   void occluded(const RayBlock& rays, std::uint32_t* blocked) const;
+
+  /// Takes the next ellipsoids that a ray with a unit direction enters, up to the first other surface.
+  void take_entries(const Vec3f& origin, const Vec3f& direction, CloudEntries& entries) const;
 
   /// Bytes that Embree holds, as it reports them.
   std::size_t bvh_bytes() const;

@@ -18,6 +18,24 @@ const CurveTable::Owner& CurveTable::owner_of(std::uint32_t segment) const {
   return *std::prev(std::ranges::upper_bound(owners, segment, {}, &Owner::first));
 }
 
+namespace {
+
+ShellMesh shells_of(const Mesh& mesh, std::uint32_t surface) {
+  if (mesh.shells_of == nullptr) return {};
+  return {surface, static_cast<std::uint32_t>(mesh.triangle_count() / mesh.shells_of->places.size())};
+}
+
+}  // namespace
+
+void EllipsoidTable::add(const Ellipsoids& ellipsoids, std::uint32_t surface) {
+  owners.push_back({&ellipsoids, surface, count});
+  count += static_cast<std::uint32_t>(ellipsoids.places.size());
+}
+
+const EllipsoidTable::Owner& EllipsoidTable::owner_of(std::uint32_t ellipsoid) const {
+  return *std::prev(std::ranges::upper_bound(owners, ellipsoid, {}, &Owner::first));
+}
+
 TraceTables::TraceTables(const std::vector<Surface>& surfaces) {
   const std::vector<std::uint32_t> first_face = light_faces(surfaces);
   for (std::uint32_t i = 0; i < surfaces.size(); ++i) {
@@ -33,9 +51,11 @@ TraceTables::TraceTables(const std::vector<Surface>& surfaces) {
                           },
                           [&](const Plane& plane) { planes.add(plane, i); },
                           [&](const Curves& tubes) { curves[tubes.linear ? 1 : 0].add(tubes, i); },
+                          [&](const Ellipsoids& cloud) { ellipsoids.add(cloud, i); },
                           [&](const Mesh& mesh) {
                             meshes.add(mesh, i);
                             long_faces_of_mesh.push_back(faces);
+                            shells_of_mesh.push_back(shells_of(mesh, i));
                           },
                           [&](const MeshInstance& copy) { add(copy, i); }, add_solved},
                surfaces[i].geometry);
@@ -62,7 +82,7 @@ bool TraceTables::is_flat() const {
   for (const PlacedGroup& instance : instances)
     for (const Mesh* part : groups[instance.group].parts) faces += part->triangle_count();
   const std::size_t others = std::apply([](const auto&... table) { return (table.shapes.size() + ...); }, solved);
-  return faces >= 10 * others;
+  return faces >= 10 * (others + ellipsoids.count);
 }
 
 }  // namespace photonproof::inline renderer_rays

@@ -50,13 +50,34 @@ struct CurveTable {
   const Owner& owner_of(std::uint32_t segment) const;
 };
 
+/// All ellipsoids that are solved, numbered through.
+struct EllipsoidTable {
+  struct Owner {
+    const Ellipsoids* ellipsoids;
+    std::uint32_t surface, first;  ///< index of its surface, and the number of its first ellipsoid here
+  };
+  std::uint32_t count = 0;
+  std::vector<Owner> owners;  ///< by their first ellipsoids
+
+  void add(const Ellipsoids& ellipsoids, std::uint32_t surface);
+  const Owner& owner_of(std::uint32_t ellipsoid) const;
+};
+
+/// The surface of a mesh of shells, and the size of a shell.
+struct ShellMesh {
+  std::uint32_t surface = 0;
+  std::uint32_t faces = 0;  ///< triangles of a shell; 0 where the mesh has none
+};
+
 struct TraceTables {
   ShapeTable<Quad> quads;
   SolvedShapes<ShapeTables, LongFace> solved;  ///< shapes that Embree does not have
   ShapeTable<Plane> planes;                    ///< tested one after the other: boxes around them would be of no use
   std::array<CurveTable, 2> curves;            ///< B-splines, then linear ones
-  ShapeTable<Mesh> meshes;                     ///< each its own geometry
+  EllipsoidTable ellipsoids;
+  ShapeTable<Mesh> meshes;                                       ///< each its own geometry
   std::vector<const std::vector<LongFace>*> long_faces_of_mesh;  ///< null where there are none
+  std::vector<ShellMesh> shells_of_mesh;
   std::vector<MeshGroup> groups;
   std::vector<PlacedGroup> instances;
 

@@ -119,6 +119,11 @@ std::size_t Scene::memory_bytes() const {
     if (const Mesh* mesh = mesh_of(surface.geometry)) add_mesh(*mesh);
     if (const auto* curves = std::get_if<Curves>(&surface.geometry))
       total += bytes(curves->points) + bytes(curves->segments);
+    if (const Ellipsoids* cloud = ellipsoids_of(surface.geometry)) {
+      total += bytes(cloud->places);
+      if (counted.insert(cloud->cloud.get()).second)
+        total += bytes(cloud->cloud->ellipsoids) + bytes(cloud->cloud->opacities) + bytes(cloud->cloud->harmonics);
+    }
     if (const auto* sdf = std::get_if<SdfGrid>(&surface.geometry);
         sdf != nullptr && counted.insert(sdf->grid.get()).second)
       total += bytes(sdf->grid->values);

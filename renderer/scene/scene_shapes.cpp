@@ -6,6 +6,7 @@
 
 #include "renderer/rays/brute_force_intersector.h"
 #include "renderer/rays/brute_force_tables.h"
+#include "renderer/scene/ellipsoid_shells.h"
 #include "renderer/scene/scene_frame.h"
 #include "renderer/shapes/heightfield.h"
 #include "renderer/shapes/mesh_normals.h"
@@ -113,6 +114,22 @@ void SceneShapes::add(const CurvesDescription& curves, const ShapeDescription& s
   Curves made = compiled_curves(curves, to_world, of_instance, shape.flip_normals);
   primitives += made.segments.size();
   add_surface(std::move(made), shape);
+}
+
+// The shape's own to_world turns ellipsoids and scales them evenly; that of an instance may also stretch them.
+void SceneShapes::add(const EllipsoidsDescription& ellipsoids, const ShapeDescription& shape,
+                      const Transform& to_world) {
+  const std::optional<Transform> to_local = shape.to_world.inverse();
+  if (!to_local) throw InputError(description_.where(shape.loc), "the ellipsoids' to_world has no inverse");
+  const PlacedEllipsoids places(ellipsoids, shape.to_world, to_world * *to_local);
+  Ellipsoids made = compiled_ellipsoids(ellipsoids, places, shape.flip_normals);
+  if (!ellipsoids.triangles) {
+    primitives += made.places.size();
+    return add_surface(std::move(made), shape);
+  }
+  Mesh shells = mesh_of_shells(ellipsoids.shell, places, std::move(made));
+  primitives += shells.triangle_count();
+  add_surface(std::move(shells), shape);
 }
 
 void SceneShapes::add_mesh(const ShapeDescription& shape, const Transform& to_world) {

@@ -42,6 +42,7 @@ class SceneShapes {
   void add(const MeshDescription&, const ShapeDescription& shape, const Transform& to_world);
   void add(const HeightfieldDescription&, const ShapeDescription& shape, const Transform& to_world);
   void add(const CurvesDescription& curves, const ShapeDescription& shape, const Transform& to_world);
+  void add(const EllipsoidsDescription& ellipsoids, const ShapeDescription& shape, const Transform& to_world);
   void add(const InstanceDescription& instance, const ShapeDescription& shape, const Transform& to_world);
   /// Adds a description that `placed` turns into one primitive.
   template <class Primitive>

@@ -77,6 +77,14 @@ inline void add_shapes_to_see(const Room& room, SceneDescription& d) {
   distances->width = distances->height = distances->depth = 2;
   distances->values = {-1, 1, -1, 0.5f, -0.5f, 1, 0.5f, 1};
   add_shape(d, SdfGridDescription{"slope.vol", distances, {}}, at(0.4, -2, 0.05, 0.5), grey);
+  auto cloud = std::make_shared<EllipsoidCloud>();
+  const auto of_unit = [&](const Vec3d& v) { return Vec3f(v * u); };
+  cloud->ellipsoids = {{of_unit({-0.4, 1.3, 0.3}), of_unit({0.05, 0.1, 0.03}), {0.6f, 0, 0, 0.8f}},
+                       {of_unit({-1, 1.5, 0.2}), of_unit({0.04, 0.04, 0.05})}};
+  EllipsoidsDescription ellipsoids;
+  ellipsoids.filename = "cloud.ply";
+  ellipsoids.cloud = cloud;
+  add_shape(d, ellipsoids, {}, grey);
   ShapeGroupDescription group;
   ShapeDescription member;
   member.geometry = MeshDescription{ply, "pyramid.ply", true, false, pyramid(1)};

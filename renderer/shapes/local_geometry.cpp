@@ -67,6 +67,7 @@ LocalGeometry local_geometry(const Surface& surface, const AffineMap* frame, std
   return std::visit(Overloaded{[&](const Mesh& mesh) { return on_mesh(mesh, triangle, p, normal); },
                                [&](const MeshInstance& copy) { return on_instance(copy, triangle, p); },
                                [&](const Curves& curves) { return local_geometry(curves, triangle, p, normal); },
+                               [&](const Ellipsoids& e) { return local_geometry(e, normal); },
                                [&](const auto& shape) { return local_geometry(shape, *frame, p, normal); }},
                     surface.geometry);
 }

@@ -23,6 +23,11 @@ const Mesh* mesh_of(const Geometry& geometry) {
   return std::get_if<Mesh>(&geometry);
 }
 
+const Ellipsoids* ellipsoids_of(const Geometry& geometry) {
+  if (const auto* mesh = std::get_if<Mesh>(&geometry)) return mesh->shells_of.get();
+  return std::get_if<Ellipsoids>(&geometry);
+}
+
 std::vector<std::uint32_t> light_faces(const std::vector<Surface>& surfaces) {
   std::vector<std::uint32_t> first(surfaces.size(), no_index);
   std::size_t faces = 0;

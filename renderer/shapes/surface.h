@@ -1,5 +1,5 @@
-// The surfaces that rays meet. Parallelograms (rectangles, faces of cubes), spheres, discs, cylinders, planes, curves
-// and zeros of signed distances are themselves. Meshes may also be copies placed by a transform.
+// The surfaces that rays meet. Parallelograms (rectangles, faces of cubes), spheres, discs, cylinders, planes, curves,
+// ellipsoids and zeros of signed distances are themselves. Meshes may also be copies placed by a transform.
 #pragma once
 
 #include <cstdint>
@@ -11,6 +11,7 @@
 #include "renderer/shapes/curves.h"
 #include "renderer/shapes/cylinder.h"
 #include "renderer/shapes/disk.h"
+#include "renderer/shapes/ellipsoids.h"
 #include "renderer/shapes/long_face.h"
 #include "renderer/shapes/plane.h"
 #include "renderer/shapes/quad.h"
@@ -26,6 +27,8 @@ struct Mesh {
   bool inward = false;         ///< The normal is opposite to the winding's.
   std::vector<Vec3f> normals;  ///< One per vertex, unit, on the side of the winding's; empty where the mesh is flat.
   bool flip_v = false;         ///< The source's v counts from the other end.
+  /// Ellipsoids whose shells the triangles are, in turn and as many each; rays pass them from behind. Often null.
+  std::shared_ptr<const Ellipsoids> shells_of = {};
 
   std::size_t triangle_count() const { return source->triangles.size(); }
   Vec3f corner(std::size_t triangle, std::size_t k) const { return positions[source->triangles[triangle][k]]; }
@@ -51,10 +54,13 @@ ShapeBox box_around(const MeshInstance& copy);
 template <template <class...> class List, class... Other>
 using SolvedShapes = List<Sphere, Disk, Cylinder, SdfGrid, Other...>;
 
-using Geometry = SolvedShapes<std::variant, Quad, Mesh, Plane, MeshInstance, Curves>;
+using Geometry = SolvedShapes<std::variant, Quad, Mesh, Plane, MeshInstance, Curves, Ellipsoids>;
 
 /// The mesh of a mesh or of a copy of one; null for other shapes.
 const Mesh* mesh_of(const Geometry& geometry);
+
+/// The ellipsoids of a surface, or those within its shells; null for other surfaces.
+const Ellipsoids* ellipsoids_of(const Geometry& geometry);
 
 struct Surface {
   Geometry geometry;

@@ -35,6 +35,13 @@ void FilmDescription::resize(int new_width, int new_height) {
   height = new_height;
 }
 
+double EllipsoidsDescription::reach(std::size_t i) const {
+  constexpr double least_response = 0.01;
+  if (!adapts_extent || cloud->opacities.empty()) return extent;
+  const double logarithm = std::log(double{cloud->opacities[i]} / least_response);
+  return logarithm > 0 ? extent * std::sqrt(2 * logarithm) / 3 : 0;
+}
+
 std::string SceneDescription::where(const SourceLoc& loc) const {
   const bool known_file = loc.file >= 0 && static_cast<std::size_t>(loc.file) < files.size();
   std::string file = known_file ? files[static_cast<std::size_t>(loc.file)] : "<scene>";

@@ -162,10 +162,25 @@ void describe(P& p, SppmDescription& d) {
   p.number("alpha", d.alpha, {0, 1, nullptr, true, true}, "share of a disc that passes keep: 1 is all");
 }
 
+/// The radiance field of volumetric primitives (Condor et al. 2024; Moenne-Loccoz et al. 2024): ellipsoids along a ray
+/// are blended in the order in which it enters them. Lights do not matter, and other surfaces are black.
+struct RadianceFieldDescription : PathLimits {
+  RadianceFieldDescription() { max_depth = 64; }
+  bool srgb_primitives = true;
+  friend bool operator==(const RadianceFieldDescription&, const RadianceFieldDescription&) = default;
+};
+
+template <class P>
+void describe(P& p, RadianceFieldDescription& d) {
+  p.plugin("volprim_rf_basic", "ellipsoids with opacities and spherical harmonics, blended in order; no lights");
+  p.integer("max_depth", d.max_depth, -1, 1'000'000, "ellipsoids along a ray, -1 for no end");
+  p.boolean("srgb_primitives", d.srgb_primitives, "blended colours are sRGB, which the image makes linear");
+}
+
 struct IntegratorDescription {
   SourceLoc loc;
   std::variant<PathDescription, PhotonMapperDescription, VolPathDescription, BdptDescription, ParticleTracerDescription,
-               DirectDescription, WhittedDescription, SppmDescription>
+               DirectDescription, WhittedDescription, SppmDescription, RadianceFieldDescription>
       method;
 
   const PathLimits& limits() const {

@@ -58,6 +58,17 @@ struct LocalBox {
     return box;
   }
   Box operator()(const SdfGridDescription&) const { return {Vec3d(0.0), Vec3d(1.0)}; }
+  Box operator()(const EllipsoidsDescription& d) const {
+    Box box;
+    for (std::size_t i = 0; i < d.cloud->ellipsoids.size(); ++i) {
+      const Ellipsoid& e = d.cloud->ellipsoids[i];
+      const double widest = std::max({double{e.scale.x}, double{e.scale.y}, double{e.scale.z}});
+      const Vec3d center(e.center), most(widest * d.scale_factor * d.reach(i));
+      box.add(center - most);
+      box.add(center + most);
+    }
+    return box;
+  }
   Box operator()(const InstanceDescription& d) const { return box_of(scene.groups[d.group.value].shapes); }
 
   Box box_of(const std::vector<ShapeDescription>& shapes) const {

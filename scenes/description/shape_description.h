@@ -11,6 +11,8 @@
 
 #include "scenes/curves/curve_set.h"
 #include "scenes/description/texture_description.h"
+#include "scenes/ellipsoids/ellipsoid_cloud.h"
+#include "scenes/ellipsoids/shell.h"
 #include "scenes/meshes/mesh.h"
 #include "scenes/meshes/vol.h"
 
@@ -261,6 +263,48 @@ void describe(P& p, SdfGridDescription& d) {
   p.nested("medium", 2, "media named `interior` and `exterior`");
 }
 
+/// The ellipsoids of a file, or triangulated shells around them. Rays that meet one from inside pass, as in Mitsuba. Of
+/// a to_world that is not a similarity only the turn and the mean scale apply to an ellipsoid's axes.
+struct EllipsoidsDescription {
+  static constexpr bool finite = true;
+  static constexpr int surfaces = 1;
+  std::string filename;                         ///< as the scene spells it
+  std::shared_ptr<const EllipsoidCloud> cloud;  ///< Never null; shared by the shapes that name the same file.
+  bool triangles = false;                       ///< shells instead of ellipsoids
+  Shell shell = Shell::usual;
+  double scale_factor = 1;
+  double extent = 3;  ///< semi-axes in terms of the file's scales
+  /// The extent is multiplied by sqrt(2 ln(100 opacity)) / 3: the surface is where a Gaussian's response is 1 %.
+  bool adapts_extent = false;
+
+  /// Semi-axes of an ellipsoid in terms of its scales; 0 where none of it is left. Without opacities they do not adapt.
+  double reach(std::size_t i) const;
+  friend bool operator==(const EllipsoidsDescription& a, const EllipsoidsDescription& b) {
+    return a.filename == b.filename && a.triangles == b.triangles && a.shell == b.shell &&
+           a.scale_factor == b.scale_factor && a.extent == b.extent && a.adapts_extent == b.adapts_extent &&
+           (a.cloud == b.cloud || (a.cloud && b.cloud && *a.cloud == *b.cloud));
+  }
+};
+
+template <class P>
+void describe(P& p, EllipsoidsDescription& d) {
+  p.plugin(d.triangles ? "ellipsoidsmesh" : "ellipsoids",
+           d.triangles ? "shells of triangles around ellipsoids of a file; only their outside is seen"
+                       : "ellipsoids of a file, such as 3D Gaussians; only their outside is seen");
+  p.file("filename", d.filename, "the name of a PLY file of Gaussian splatting");
+  if (d.triangles)
+    p.choice("shell", d.shell,
+             {{"default", Shell::usual},
+              {"ico_sphere", Shell::ico_sphere},
+              {"box", Shell::box},
+              {"uv_sphere", Shell::uv_sphere}},
+             "20, 20, 12 or 72 triangles");
+  p.positive("scale_factor", d.scale_factor, "factor of the file's scales");
+  p.positive("extent", d.extent, "semi-axes in terms of the file's scales");
+  p.boolean("extent_adaptive_clamping", d.adapts_extent, "the extent times sqrt(2 ln(100 opacity)) / 3");
+  describe_passive_shape(p);
+}
+
 /// A copy of a group of shapes, placed by to_world. The BSDFs are the group's; the instance's own index is unused.
 struct InstanceDescription {
   static constexpr bool finite = true;
@@ -281,7 +325,7 @@ struct ShapeDescription {
   std::string id;
   std::variant<SphereDescription, RectangleDescription, CubeDescription, MeshDescription, DiskDescription,
                CylinderDescription, PlaneDescription, HeightfieldDescription, CurvesDescription, SdfGridDescription,
-               InstanceDescription>
+               EllipsoidsDescription, InstanceDescription>
       geometry;
   Transform to_world;
   bool flip_normals = false;

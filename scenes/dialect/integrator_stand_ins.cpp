@@ -13,7 +13,8 @@ using Names = std::vector<std::string>;
 
 /// Names in use elsewhere that an edit turns into one of ours.
 const Names kElsewhere = {"volpathmis", "vcm", "ppm", "vpl", "prbvolpath", "prbpath", "mcpath"};
-const Names kOurs = {"bdpt", "direct", "moment", "path", "photonmapper", "ptracer", "sppm", "volpath", "whitted"};
+const Names kOurs = {"bdpt", "direct",  "moment",           "path",   "photonmapper", "ptracer",
+                     "sppm", "volpath", "volprim_rf_basic", "whitted"};
 
 bool is_one_of(std::string_view name, const Names& names) {
   return std::find(names.begin(), names.end(), name) != names.end();

@@ -91,6 +91,11 @@ struct CompleteShape {
     params.expect(grid.largest >= 0 && std::ranges::any_of(grid.values, is_inside), "filename",
                   "names a grid without a surface, expected distances of both signs");
   }
+  void operator()(EllipsoidsDescription& d) const {
+    const auto loaded = params.objects().files().ellipsoids(params.value_of("filename"));
+    d.filename = loaded.name;
+    d.cloud = loaded.content;
+  }
   void operator()(InstanceDescription&) const {}
 };
 
@@ -107,6 +112,9 @@ std::vector<Plugin<Geometry>> shape_plugins() {
   CurvesDescription linear;
   linear.basis = CurvesDescription::Basis::linear;
   rows.push_back(described_plugin<Geometry, CompleteShape>(linear));
+  EllipsoidsDescription shells;
+  shells.triangles = true;
+  rows.push_back(described_plugin<Geometry, CompleteShape>(shells));
   sort_by_name(rows);
   return rows;
 }

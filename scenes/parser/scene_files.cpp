@@ -140,6 +140,13 @@ SceneFiles::Loaded<CurveSet> SceneFiles::curves(const Attribute& filename, std::
   return {file.name, curves};
 }
 
+SceneFiles::Loaded<EllipsoidCloud> SceneFiles::ellipsoids(const Attribute& filename) {
+  const SceneFolders::File file = folders_.find(filename);
+  std::shared_ptr<const EllipsoidCloud>& cloud = clouds_[file.real];
+  if (!cloud) cloud = std::make_shared<const EllipsoidCloud>(parsed(file, filename, kMaxCloudBytes, parse_ellipsoids));
+  return {file.name, cloud};
+}
+
 std::string SceneFiles::text(const Attribute& filename) {
   return read(folders_.find(filename), filename, std::size_t{1} << 20);
 }

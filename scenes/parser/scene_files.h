@@ -61,6 +61,7 @@ class SceneFiles {
   Loaded<VolumeGrid> volume(const Attribute& filename, VolValues allowed);
   /// `least`: control points of a curve.
   Loaded<CurveSet> curves(const Attribute& filename, std::size_t least);
+  Loaded<EllipsoidCloud> ellipsoids(const Attribute& filename);
   /// The text of a small file.
   std::string text(const Attribute& filename);
 
@@ -78,6 +79,7 @@ class SceneFiles {
   std::map<std::filesystem::path, std::shared_ptr<const IesProfile>> profiles_;
   std::map<std::pair<std::filesystem::path, VolValues>, std::shared_ptr<const VolumeGrid>> volumes_;
   std::map<std::pair<std::filesystem::path, std::size_t>, std::shared_ptr<const CurveSet>> curves_;
+  std::map<std::filesystem::path, std::shared_ptr<const EllipsoidCloud>> clouds_;
 };
 
 }  // namespace photonproof::scene_xml

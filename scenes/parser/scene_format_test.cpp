@@ -70,6 +70,9 @@ std::string all_tables() {
   CurvesDescription linear;
   linear.basis = CurvesDescription::Basis::linear;
   shapes.push_back(rows_of(linear));
+  EllipsoidsDescription shells;
+  shells.triangles = true;
+  shapes.push_back(rows_of(shells));
   MeshDescription serialized;
   serialized.format = MeshDescription::Format::serialized;
   shapes.push_back(rows_of(serialized));

@@ -42,6 +42,14 @@ class NamedFiles {
     mesh_of_obj = std::make_shared<const TriangleMesh>(read_obj((folder_ / "a.obj").string()));
     profile = std::make_shared<const IesProfile>(read_ies((folder_ / "a.ies").string()));
     image = std::make_shared<const Image>(grey);
+    const std::string one =
+        "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float z\n"
+        "property float nx\nproperty float ny\nproperty float nz\nproperty float opacities\n"
+        "property float scale_0\nproperty float scale_1\nproperty float scale_2\nproperty float rot_0\n"
+        "property float rot_1\nproperty float rot_2\nproperty float rot_3\nend_header\n"
+        "1 2 3 0 0 0 .5 -1 0 -2 1 0 0 .5\n";
+    write_file_atomically(folder_ / "e.ply", one);
+    cloud = std::make_shared<const EllipsoidCloud>(parse_ellipsoids(one, "e.ply"));
   }
 
   std::string scene() const { return (folder_ / "scene.xml").string(); }
@@ -51,6 +59,7 @@ class NamedFiles {
   std::shared_ptr<const Image> image;
   std::shared_ptr<const VolumeGrid> grid, distances;
   std::shared_ptr<const CurveSet> curves;
+  std::shared_ptr<const EllipsoidCloud> cloud;
 
  private:
   const ScratchFolder scratch_{"writer-test"};

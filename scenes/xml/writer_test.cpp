@@ -278,6 +278,19 @@ class RandomScene {
     return {Format::obj, "a.obj", coin(), coin(), files_.mesh_of_obj};
   }
 
+  decltype(ShapeDescription::geometry) curves_or_ellipsoids() {
+    if (coin()) return CurvesDescription{static_cast<CurvesDescription::Basis>(pick(2)), "a.txt", files_.curves};
+    EllipsoidsDescription cloud;
+    cloud.filename = "e.ply";
+    cloud.cloud = files_.cloud;
+    cloud.triangles = coin();
+    if (cloud.triangles) cloud.shell = static_cast<Shell>(pick(4));
+    cloud.scale_factor = positive();
+    cloud.extent = positive();
+    cloud.adapts_extent = coin();
+    return cloud;
+  }
+
   ShapeDescription shape(const std::string& id, bool in_scene) {
     ShapeDescription result;
     result.id = id;
@@ -313,7 +326,7 @@ class RandomScene {
         result.to_world = any();
         break;
       case 8:
-        result.geometry = CurvesDescription{static_cast<CurvesDescription::Basis>(pick(2)), "a.txt", files_.curves};
+        result.geometry = curves_or_ellipsoids();
         result.to_world = stretched();
         emits = has_media = false;
         break;
@@ -432,7 +445,7 @@ class RandomScene {
     return method;
   }
   decltype(IntegratorDescription::method) method() {
-    switch (pick(7)) {
+    switch (pick(8)) {
       case 0:
         return limited<PathDescription>();
       case 1:
@@ -443,6 +456,12 @@ class RandomScene {
         return limited<ParticleTracerDescription>();
       case 4:
         return limited<WhittedDescription>();
+      case 6: {
+        RadianceFieldDescription field;
+        field.max_depth = coin() ? -1 : 1 + static_cast<int>(pick(100));
+        field.srgb_primitives = coin();
+        return field;
+      }
       case 5: {
         DirectDescription direct;
         direct.hide_emitters = coin();
