@@ -1,16 +1,13 @@
 #include "scenes/dialect/hair_stand_in.h"
 
-#include <cmath>
+#include <algorithm>
 #include <optional>
 
 #include "scenes/base/vec.h"
+#include "scenes/curves/hair_colour.h"
 
 namespace photonproof::scene_xml {
 namespace {
-
-/// Absorption of the two pigments at a concentration of 1: d'Eon et al. 2011, "An energy-conserving hair reflectance
-/// model", table 2, in RGB.
-const RgbD kEumelanin{0.419, 0.697, 1.37}, kPheomelanin{0.187, 0.4, 1.05};
 
 std::optional<RgbD> numbers_of(const Element& parameter) {
   std::vector<double> values;
@@ -32,14 +29,6 @@ std::optional<double> take_number(Element& bsdf, const char* name, double fallba
   return number ? std::optional(number->x) : std::nullopt;
 }
 
-/// Reflectance of a volume of hair: Chiang et al. 2016, "A practical and controllable hair and fur model for production
-/// path tracing", equation 9 solved for it. `roughness` is the azimuthal one.
-double reflectance(double absorption, double roughness) {
-  const double b = roughness;
-  const double fit = 5.969 + b * (-0.215 + b * (2.532 + b * (-10.73 + b * (5.574 + b * 0.245))));
-  return std::exp(-std::sqrt(absorption) * fit);
-}
-
 }  // namespace
 
 void replace_hair(Element& bsdf, StandInNotes& notes) {
@@ -48,7 +37,7 @@ void replace_hair(Element& bsdf, StandInNotes& notes) {
              around = take_number(left, "azimuthal_roughness", 0.3);
   const auto eumelanin = take_number(left, "eumelanin", 1.3), pheomelanin = take_number(left, "pheomelanin", 0.2);
   if (!along || !around || !eumelanin || !pheomelanin) return;
-  RgbD absorption = kEumelanin * *eumelanin + kPheomelanin * *pheomelanin;
+  RgbD absorption = absorption_of_pigments(*eumelanin, *pheomelanin);
   if (const Element given = take_parameter(left, "sigma_a"); !given.tag.empty()) {
     const auto sigma_a = numbers_of(given);
     if (!sigma_a) return;
@@ -61,10 +50,9 @@ void replace_hair(Element& bsdf, StandInNotes& notes) {
   notes.add_stand_in(bsdf, "principled", "it has the colour of a full head of hair, without light through hairs");
   bsdf.children.clear();
   set_attribute(bsdf, "type", "principled");
-  std::string colour;
-  for (const double a : {absorption.x, absorption.y, absorption.z})
-    colour += (colour.empty() ? "" : " ") + format_number(reflectance(a * scale, *around));
-  add_parameter(bsdf, "rgb", "base_color", colour);
+  const RgbD colour = colour_of_hair(absorption * scale, *around);
+  add_parameter(bsdf, "rgb", "base_color",
+                format_number(colour.x) + " " + format_number(colour.y) + " " + format_number(colour.z));
   add_parameter(bsdf, "float", "roughness", format_number(std::min(*along, 1.0)));
 }
 

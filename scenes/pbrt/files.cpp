@@ -2,10 +2,14 @@
 
 #include <zlib.h>
 
+#include <array>
 #include <cctype>
+#include <charconv>
+#include <cstdint>
 #include <memory>
 
 #include "scenes/base/text_numbers.h"
+#include "scenes/files/atomic_file.h"
 #include "scenes/files/inside_folder.h"
 #include "scenes/meshes/ply.h"
 
@@ -19,6 +23,43 @@ std::string plain(std::string name) {
   for (char& c : name)
     if (!std::isalnum(static_cast<unsigned char>(c)) && c != '-' && c != '_') c = '-';
   return name.empty() ? "file" : name.substr(0, 60);
+}
+
+/// The fewest digits from which the number is read back.
+std::string shortest(float value) {
+  std::array<char, 32> text;
+  const auto [end, error] = std::to_chars(text.data(), text.data() + text.size(), value);
+  return {text.data(), end};
+}
+
+/// A volume of Mitsuba, of which parse_vol makes an equal grid.
+std::string bytes_of(const VolumeGrid& grid) {
+  std::string bytes = "VOL\x03";
+  const auto add = [&](const auto& value) { bytes.append(reinterpret_cast<const char*>(&value), sizeof value); };
+  for (const std::int32_t v : {1, grid.width, grid.height, grid.depth, grid.channels}) add(v);
+  for (const Vec3f& corner : {grid.low, grid.high}) {
+    add(corner.x);
+    add(corner.y);
+    add(corner.z);
+  }
+  bytes.append(reinterpret_cast<const char*>(grid.values.data()), grid.values.size() * sizeof(float));
+  return bytes;
+}
+
+/// A file of curves, of which parse_curves makes an equal set.
+std::string text_of(const CurveSet& curves) {
+  std::string text;
+  std::size_t next = 0;
+  for (std::size_t i = 0; i < curves.points.size(); ++i) {
+    if (next < curves.first.size() && curves.first[next] == i) {
+      if (next > 0) text += "\n";
+      ++next;
+    }
+    const CurvePoint& q = curves.points[i];
+    for (const float v : {q.p.x, q.p.y, q.p.z, q.radius}) text += shortest(v) + " ";
+    text.back() = '\n';
+  }
+  return text;
 }
 
 }  // namespace
@@ -56,6 +97,18 @@ std::string PbrtFiles::new_name(const std::string& stem, const std::string& endi
 std::string PbrtFiles::write(const TriangleMesh& mesh) {
   const std::string name = new_name("mesh-" + std::to_string(++count_["mesh"]), "ply");
   if (!made_folder_.empty()) write_ply(made_folder_ / name, mesh);
+  return name;
+}
+
+std::string PbrtFiles::write(const VolumeGrid& grid) {
+  const std::string name = new_name("grid-" + std::to_string(++count_["grid"]), "vol");
+  if (!made_folder_.empty()) write_file_atomically(made_folder_ / name, bytes_of(grid));
+  return name;
+}
+
+std::string PbrtFiles::write(const CurveSet& curves) {
+  const std::string name = new_name("curves-" + std::to_string(++count_["curves"]), "txt");
+  if (!made_folder_.empty()) write_file_atomically(made_folder_ / name, text_of(curves));
   return name;
 }
 

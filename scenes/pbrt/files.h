@@ -6,8 +6,10 @@
 #include <set>
 #include <string>
 
+#include "scenes/curves/curve_set.h"
 #include "scenes/images/image.h"
 #include "scenes/meshes/mesh.h"
+#include "scenes/meshes/vol.h"
 #include "scenes/pbrt/parameters.h"
 
 namespace photonproof::inline scenes_pbrt {
@@ -27,8 +29,10 @@ class PbrtFiles {
   std::filesystem::path find(const std::string& name, const Place& at) const;
   /// Copies a file to the made folder, once; its name there.
   std::string copy(const std::filesystem::path& file);
-  /// Writes a mesh or an image to the made folder; its name there.
+  /// Writes a mesh, a grid, curves or an image to the made folder; its name there.
   std::string write(const TriangleMesh& mesh);
+  std::string write(const VolumeGrid& grid);
+  std::string write(const CurveSet& curves);
   std::string write(const Rendering& image, const std::string& stem);
 
  private:

@@ -128,24 +128,4 @@ void add_pbrt_light(PbrtContext& context, const PbrtEntity& light) {
   }
 }
 
-void add_pbrt_medium(PbrtContext& context, const std::string& name, const PbrtParameters& p) {
-  const std::string type = p.text("type", "");
-  if (type != "homogeneous") p.fail("has the type " + in_quotes(type) + ", expected homogeneous");
-  if (p.has("preset")) p.fail("names a measured material, expected sigma_a and sigma_s");
-  if (p.has("Le") || p.has("Lescale")) p.fail("emits light, which media here do not");
-  const double scale = p.number("scale", 1, 0, 1e30), g = p.number("g", 0);
-  // The defaults are pbrt's.
-  const RgbD absorbed = context.spectra.colour(p, "sigma_a").value_or(RgbD(0.0011, 0.0024, 0.014)) * scale;
-  const RgbD scattered = context.spectra.colour(p, "sigma_s").value_or(RgbD(2.55, 3.21, 3.77)) * scale;
-  HomogeneousDescription medium;
-  medium.sigma_t = absorbed + scattered;
-  const auto share = [](double part, double whole) { return whole > 0 ? part / whole : 0; };
-  medium.albedo = RgbD(share(scattered.x, medium.sigma_t.x), share(scattered.y, medium.sigma_t.y),
-                       share(scattered.z, medium.sigma_t.z));
-  if (g != 0) medium.phase = HenyeyGreensteinDescription{std::clamp(g, -0.999, 0.999)};
-  p.finish();
-  context.media[name] = {static_cast<std::uint32_t>(context.scene.media.size())};
-  context.scene.media.push_back({{}, "medium-" + std::to_string(context.scene.media.size()), medium});
-}
-
 }  // namespace photonproof::inline scenes_pbrt

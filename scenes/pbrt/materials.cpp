@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "scenes/base/text_numbers.h"
+#include "scenes/curves/hair_colour.h"
 #include "scenes/description/named_ior.h"
 #include "scenes/images/image.h"
 
@@ -73,6 +74,7 @@ BsdfIndex PbrtMaterials::model_of(const PbrtEntity& material) {
     return add(ThinDielectricDescription{context_.spectra.index(p, "eta", 1.5), 1});
   if (material.type == "diffusetransmission") return sheet(p);
   if (material.type == "interface" || material.type == "none" || material.type.empty()) return add(NullDescription{});
+  if (material.type == "hair") return hair(p);
   if (material.type == "subsurface") {
     context_.log.note(p.at(), "material 'subsurface' is rendered as plastic: light does not travel below the surface");
     p.ignore({"sigma_a", "sigma_s", "mfp", "g", "scale", "name"});
@@ -80,7 +82,28 @@ BsdfIndex PbrtMaterials::model_of(const PbrtEntity& material) {
   }
   p.fail(
       "is not supported, expected diffuse, coateddiffuse, conductor, coatedconductor, dielectric, thindielectric, "
-      "diffusetransmission, mix, subsurface or interface");
+      "diffusetransmission, mix, hair, subsurface or interface");
+}
+
+BsdfIndex PbrtMaterials::hair(const PbrtParameters& p) {
+  context_.log.note(
+      p.at(),
+      "material 'hair' is rendered as principled: it has the colour of a full head of hair, without light "
+      "through hairs");
+  p.ignore({"eta", "alpha"});
+  const double along = p.number("beta_m", 0.3, 0, 1), around = p.number("beta_n", 0.3, 0, 1);
+  PrincipledDescription model;
+  model.roughness = along;
+  const char* const name = p.has("reflectance") ? "reflectance" : "color";
+  if (p.has(name)) {
+    model.base_color = textures_.colour(p, name, RgbD(0.5), Use::share);
+    return add_two_sided(std::move(model));
+  }
+  std::optional<RgbD> absorption = context_.spectra.colour(p, "sigma_a");
+  const double eumelanin = p.number("eumelanin", p.has("pheomelanin") ? 0 : 1.3, 0, 1e30);
+  if (!absorption) absorption = absorption_of_pigments(eumelanin, p.number("pheomelanin", 0, 0, 1e30));
+  model.base_color = colour_of_hair(*absorption, around);
+  return add_two_sided(std::move(model));
 }
 
 PbrtMaterials::Roughness PbrtMaterials::roughness(const PbrtParameters& p, const std::string& prefix) {

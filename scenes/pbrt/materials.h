@@ -40,6 +40,7 @@ class PbrtMaterials {
   BsdfIndex coated_conductor(const PbrtParameters& p);
   BsdfIndex dielectric(const PbrtParameters& p);
   BsdfIndex sheet(const PbrtParameters& p);
+  BsdfIndex hair(const PbrtParameters& p);
   Made mix(const PbrtParameters& p, int depth);
   BsdfIndex with_relief(BsdfIndex bsdf, const PbrtParameters& p);
   TextureIndex normal_map(const PbrtParameters& p, const PbrtParameter& file);

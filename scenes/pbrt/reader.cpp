@@ -8,6 +8,7 @@
 #include "scenes/base/text_numbers.h"
 #include "scenes/files/atomic_file.h"
 #include "scenes/pbrt/lights.h"
+#include "scenes/pbrt/media.h"
 #include "scenes/pbrt/shapes.h"
 #include "scenes/pbrt/views.h"
 
@@ -296,7 +297,7 @@ bool PbrtReader::read_object(PbrtTokens& tokens, const PbrtToken& token) {
     if (!in_world_) sources_.fail(token.at, "Shape stands before WorldBegin");
     check_count(token);
     ++count_;
-    shapes_.add(shape.type, shape.parameters, state_, object_ ? &scene_.groups[object_->value] : nullptr);
+    shapes_.add(shape.type, shape.parameters, state_, object_ ? static_cast<int>(object_->value) : -1);
   } else if (word == "LightSource") {
     const PbrtEntity light = typed(tokens, token, "light");
     if (!in_world_) sources_.fail(token.at, "LightSource stands before WorldBegin");
@@ -322,7 +323,7 @@ bool PbrtReader::read_object(PbrtTokens& tokens, const PbrtToken& token) {
     textures_.define(name, kind, entity(tokens, token, type, "texture"));
   } else if (word == "MakeNamedMedium") {
     const std::string name = text(tokens, "a name");
-    add_pbrt_medium(context_, name, entity(tokens, token, name, "medium").parameters);
+    add_pbrt_medium(context_, name, entity(tokens, token, name, "medium"));
   } else if (word == "MediumInterface") {
     state_.inside = text(tokens, "a name");
     state_.outside = tokens.peek().kind == PbrtToken::Kind::text ? tokens.next().text : state_.inside;
@@ -399,6 +400,7 @@ void PbrtReader::attribute(PbrtTokens& tokens) {
 }
 
 void PbrtReader::finish() {
+  shapes_.finish();
   if (!in_world_) throw InputError(sources_.name(0), "has no WorldBegin: it is no scene of pbrt-v4");
   log_.attempt([&] { choose_pbrt_integrator(context_, views_); });
   if (const auto medium = context_.media.find(views_.camera_medium); medium != context_.media.end())

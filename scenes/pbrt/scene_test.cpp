@@ -246,7 +246,7 @@ TEST_F(PbrtSceneTest, comments_and_single_values_are_read) {
 TEST_F(PbrtSceneTest, all_problems_are_told_at_their_places) {
   EXPECT_EQ(problems("Camera \"perspective\" \"float fow\" 45\n"
                      "WorldBegin\n"
-                     "Shape \"curve\" \"float width\" 1\n"
+                     "Shape \"torus\" \"float width\" 1\n"
                      "  Foo 1 2 \"three\"\n"
                      "Shape \"sphere\" \"float radius\" [ 1 2 ]\n"
                      "Material \"diffuse\" \"texture reflectance\" \"none\"\n"
@@ -254,8 +254,8 @@ TEST_F(PbrtSceneTest, all_problems_are_told_at_their_places) {
                      "Shape \"sphere\" \"float radius\" \"x\"\n"
                      "AttributeEnd\n"),
             "scene.pbrt:1:22: Camera 'perspective': parameter 'fow' with type 'float' is not supported here\n"
-            "scene.pbrt:3:1: Shape 'curve': is not supported, expected trianglemesh, plymesh, bilinearmesh, "
-            "loopsubdiv, sphere, disk or cylinder\n"
+            "scene.pbrt:3:1: Shape 'torus': is not supported, expected trianglemesh, plymesh, bilinearmesh, "
+            "loopsubdiv, curve, sphere, disk or cylinder\n"
             "scene.pbrt:4:3: unknown directive 'Foo'\n"
             "scene.pbrt:5:16: Shape 'sphere': parameter 'radius' expected one number\n"
             "scene.pbrt:6:20: Material 'diffuse': parameter 'reflectance' names the texture 'none' of spectrum, which "

@@ -25,25 +25,35 @@ bool is_similarity(const Transform& t) {
          std::abs(dot(z, x)) < tolerance * s * s;
 }
 
-void PbrtShapes::add(const std::string& type, const PbrtParameters& p, const PbrtState& state,
-                     ShapeGroupDescription* group) {
+void PbrtShapes::add(const std::string& type, const PbrtParameters& p, const PbrtState& state, int group) {
   Placed placed;
   PbrtMaterials::Made material = materials_.masked(materials_.made(state, p), p);
   const bool emits_image = state.area_light && state.area_light->parameters.has("filename");
-  placed.shape.to_world = group ? state.ctm : context_.to_ours * state.ctm;
+  const bool in_group = group >= 0;
+  placed.shape.to_world = in_group ? state.ctm : context_.to_ours * state.ctm;
   if (!placed.shape.to_world.inverse()) p.fail("is flattened by its transform");
-  place(type, p, material.textured || emits_image, group != nullptr, placed);
+  if (type == "curve") return add_curve(p, state, placed.shape.to_world, material.bsdf, group);
+  place(type, p, material.textured || emits_image, in_group, placed);
   placed.shape.flip_normals = state.reverse;
   placed.shape.bsdf = material.bsdf;
   placed.shape.interior = medium(state.inside, p);
   placed.shape.exterior = medium(state.outside, p);
   p.finish();
   if (state.area_light) {
-    if (group == nullptr) return add_light(*state.area_light, placed);
+    if (!in_group) return add_light(*state.area_light, placed);
     context_.log.note(state.area_light->parameters.at(),
                       "shapes of objects that are instanced do not emit, as in pbrt");
   }
-  (group ? group->shapes : context_.scene.shapes).push_back(placed.shape);
+  (in_group ? context_.scene.groups[static_cast<std::size_t>(group)].shapes : context_.scene.shapes)
+      .push_back(placed.shape);
+}
+
+void PbrtShapes::add_curve(const PbrtParameters& p, const PbrtState& state, const Transform& to_world, BsdfIndex bsdf,
+                           int group) {
+  if (state.area_light) p.fail("has an AreaLightSource, but curves do not emit here");
+  if (!state.inside.empty() || !state.outside.empty())
+    context_.log.note(p.at(), "curves have no media within: those of a 'curve' are left out");
+  curves_.add(p, to_world, bsdf, group);
 }
 
 void PbrtShapes::place(const std::string& type, const PbrtParameters& p, bool textured, bool in_group, Placed& placed) {
@@ -64,7 +74,8 @@ void PbrtShapes::place(const std::string& type, const PbrtParameters& p, bool te
   }
   if (type == "plymesh") return use(file_mesh(p, textured), placed);
   if (type != "sphere" && type != "disk" && type != "cylinder")
-    p.fail("is not supported, expected trianglemesh, plymesh, bilinearmesh, loopsubdiv, sphere, disk or cylinder");
+    p.fail(
+        "is not supported, expected trianglemesh, plymesh, bilinearmesh, loopsubdiv, curve, sphere, disk or cylinder");
   const PbrtQuadric q = quadric(type, p);
   if (!textured && !in_group && q.is_whole() && place_whole(q, placed)) return;
   context_.log.note(p.at(),

@@ -7,6 +7,7 @@
 #include <string>
 #include <tuple>
 
+#include "scenes/pbrt/curves.h"
 #include "scenes/pbrt/materials.h"
 #include "scenes/pbrt/quadrics.h"
 
@@ -15,11 +16,12 @@ namespace photonproof::inline scenes_pbrt {
 class PbrtShapes {
  public:
   PbrtShapes(PbrtContext& context, PbrtTextures& textures, PbrtMaterials& materials)
-      : context_(context), textures_(textures), materials_(materials) {}
+      : context_(context), textures_(textures), materials_(materials), curves_(context) {}
 
-  /// The directive Shape, into `group` or, without one, into the scene. Throws InputError.
-  void add(const std::string& type, const PbrtParameters& parameters, const PbrtState& state,
-           ShapeGroupDescription* group);
+  /// The directive Shape, into the group of this number or, if it is negative, into the scene. Throws InputError.
+  void add(const std::string& type, const PbrtParameters& parameters, const PbrtState& state, int group);
+  /// Adds shapes that are made of many directives.
+  void finish() { curves_.finish(); }
 
  private:
   struct Mesh {
@@ -42,6 +44,7 @@ class PbrtShapes {
   const Mesh& quadric_mesh(const PbrtQuadric& quadric);
   Mesh written(TriangleMesh mesh, bool textured);
   static void use(const Mesh& mesh, Placed& placed);
+  void add_curve(const PbrtParameters& p, const PbrtState& state, const Transform& to_world, BsdfIndex bsdf, int group);
   void place(const std::string& type, const PbrtParameters& p, bool textured, bool in_group, Placed& placed);
   void add_light(const PbrtEntity& light, Placed& placed);
   static double emitting_area(const PbrtEntity& light, const Placed& placed);
@@ -50,6 +53,7 @@ class PbrtShapes {
   PbrtContext& context_;
   PbrtTextures& textures_;
   PbrtMaterials& materials_;
+  PbrtCurves curves_;
   std::map<std::pair<std::string, bool>, Mesh> files_;
   std::map<PbrtQuadric, Mesh> quadrics_;
 };
