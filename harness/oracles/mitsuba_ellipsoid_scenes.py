@@ -5,7 +5,7 @@ import struct
 
 from mitsuba_scene_parts import (SKY, bsdf, boolean, element, grey, integer, number, place, scene, shape, string)
 
-TURN = place('<scale value="0.6"/>', '<rotate x="0.2" y="1" angle="40"/>', '<translate x="0.2" y="0.4"/>')
+TURN = place('<scale value="0.6"/>', '<rotate x="1" angle="15"/>', '<rotate y="1" angle="40"/>', '<translate x="0.2" y="0.4"/>')
 UNEVEN = place('<scale x="1.3" y="0.6" z="0.9"/>', '<rotate z="1" angle="30"/>')
 MIRROR = bsdf("conductor", string("material", "none"))
 ONE_SIDE = bsdf("diffuse")
