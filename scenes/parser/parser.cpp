@@ -141,8 +141,9 @@ class SceneReader {
     for (ShapeDescription& shape : scene_.shapes) shape.radiance.reset();
   }
 
-  /// Notes a scene without light.
+  /// Notes a scene without light. Radiance fields have colours of their own.
   void check_lit() {
+    if (std::holds_alternative<RadianceFieldDescription>(scene_.integrator.method)) return;
     for (const ShapeDescription& shape : scene_.shapes)
       if (shape.radiance && is_bright(*shape.radiance)) return;
     for (const EmitterDescription& emitter : scene_.emitters)
