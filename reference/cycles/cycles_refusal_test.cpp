@@ -55,6 +55,13 @@ TEST(cycles_refuses, curves_and_signed_distances) {
             "2:1:" + kNot + "curves: Cycles draws its own kinds of them, and sees their inside");
 }
 
+TEST(cycles_refuses, ellipsoids) {
+  for (const std::string type : {"ellipsoids", "ellipsoidsmesh"})
+    EXPECT_EQ(refusal("<shape type='" + type +
+                      "'><string name='filename' value='../ellipsoid_cloud_corpus/plain'/></shape>" + kLight),
+              "2:1:" + kNot + "ellipsoids of a file: Cycles would see their inside");
+}
+
 TEST(cycles_refuses, coats_and_maps) {
   EXPECT_EQ(refusal(ball("<bsdf type='roughplastic'/>")), "2:22:" + kNot + "a rough plastic: " + kCoat);
   EXPECT_EQ(refusal(ball("<bsdf type='layered'><bsdf type='diffuse'/></bsdf>")),

@@ -51,6 +51,13 @@ TEST(povray_refuses, curves_and_signed_distances) {
             "2:1:" + kNot + "curves: POV-Ray's sphere_sweep has round ends, is solid and has no texture coordinates");
 }
 
+TEST(povray_refuses, ellipsoids) {
+  for (const std::string type : {"ellipsoids", "ellipsoidsmesh"})
+    EXPECT_EQ(refusal("<shape type='" + type +
+                      "'><string name='filename' value='../ellipsoid_cloud_corpus/plain'/></shape>" + kLight),
+              "2:1:" + kNot + "ellipsoids of a file: POV-Ray would see their inside");
+}
+
 TEST(povray_refuses, coats_and_maps) {
   EXPECT_EQ(refusal(ball("<bsdf type='plastic'/>")), "no refusal");
   EXPECT_EQ(refusal(ball("<bsdf type='plastic'><texture name='diffuse_reflectance' type='checkerboard'/></bsdf>")),
