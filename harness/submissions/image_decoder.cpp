@@ -10,13 +10,13 @@
 #include <string_view>
 #include <vector>
 
-#include "harness/submissions/netpbm_file.h"
 #include "harness/submissions/plain_bmp_file.h"
 #include "scenes/base/input_error.h"
 #include "scenes/base/size_text.h"
 #include "scenes/images/display_window.h"
 #include "scenes/images/exr_file.h"
 #include "scenes/images/image_file.h"
+#include "scenes/images/netpbm_file.h"
 #include "scenes/images/png_file.h"
 
 namespace photonproof::inline harness_submissions {

@@ -14,6 +14,7 @@
 #include "scenes/images/display_window.h"
 #include "scenes/images/exr_file.h"
 #include "scenes/images/image_file.h"
+#include "scenes/images/netpbm_file.h"
 #include "scenes/images/png_file.h"
 
 namespace photonproof::inline scenes_images {
@@ -105,6 +106,7 @@ std::unique_ptr<ImageFile> open_stored(const std::string& path, const std::strin
   if (!std::filesystem::is_regular_file(path, ignored)) throw InputError(path, "not a regular file");
   if (is_exr(path)) return open_exr(path, layer);
   if (is_png(path)) return open_png(path);
+  if (std::unique_ptr<ImageFile> plain = open_plain_pfm(path)) return plain;
   std::string start(64, '\0');
   std::ifstream(path, std::ios::binary).read(start.data(), static_cast<std::streamsize>(start.size()));
   refuse_lfs_pointer(path, start);

@@ -1,4 +1,4 @@
-// Images of all formats except EXR and PNG, through OpenImageIO: the module that image_file.h describes.
+// Images of all formats except EXR, PNG and plain PFM, through OpenImageIO: the module that image_file.h describes.
 
 #include <OpenImageIO/imageio.h>
 

@@ -1,4 +1,4 @@
-#include "harness/submissions/netpbm_file.h"
+#include "scenes/images/netpbm_file.h"
 
 #include <algorithm>
 #include <bit>
@@ -7,12 +7,13 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <fstream>
 #include <string_view>
 
 #include "scenes/base/input_error.h"
 #include "scenes/files/atomic_file.h"
 
-namespace photonproof::inline harness_submissions {
+namespace photonproof::inline scenes_images {
 namespace {
 
 constexpr std::int64_t greatest_size = 1 << 24;
@@ -37,11 +38,20 @@ class NetpbmFile : public ImageFile {
   }
 
   const ImageHeader& header() const override { return header_; }
+  bool has_scale() const { return scale_ != 1; }
+
+  // Checks, before memory is taken for the samples, that the file is long enough for them.
+  void check_length() const {
+    const std::size_t samples =
+        static_cast<std::size_t>(header_.width) * static_cast<std::size_t>(header_.height) * header_.channels.size();
+    const std::size_t needed = kind_ == '3' ? 2 * samples - 1 : samples * sample_bytes();
+    if (at_ > bytes_.size() || bytes_.size() - at_ < needed) truncated();
+  }
 
   void read(int, int, int first, int count, float* values) override {
+    check_length();
     const auto width = static_cast<std::size_t>(header_.width), height = static_cast<std::size_t>(header_.height);
     const std::size_t channels = header_.channels.size(), samples = width * height * channels;
-    check_length(samples);
     for (std::size_t sample = 0; sample < samples; ++sample) {
       const float value = next();
       const std::size_t channel = sample % channels, pixel = sample / channels;
@@ -84,14 +94,10 @@ class NetpbmFile : public ImageFile {
     if (failure != std::errc{} || end != text.data() + text.size() || scale == 0 || !std::isfinite(scale))
       damaged("expected a scale other than 0");
     swapped_ = (scale > 0) == (std::endian::native == std::endian::little);
+    scale_ = std::abs(scale);
   }
 
   std::size_t sample_bytes() const { return is_float() ? 4 : greatest_ < 256 ? 1 : 2; }
-  // Checks, before reading, that the file is long enough for so many samples.
-  void check_length(std::size_t samples) const {
-    const std::size_t needed = kind_ == '3' ? 2 * samples - 1 : samples * sample_bytes();
-    if (at_ > bytes_.size() || bytes_.size() - at_ < needed) truncated();
-  }
 
   float next() {
     if (kind_ == '3') return normalised(integer(greatest_));
@@ -114,6 +120,7 @@ class NetpbmFile : public ImageFile {
   char kind_ = '\0';
   std::int64_t greatest_ = 1;
   bool swapped_ = false;
+  double scale_ = 1;
   ImageHeader header_;
 };
 
@@ -121,4 +128,14 @@ class NetpbmFile : public ImageFile {
 
 std::unique_ptr<ImageFile> open_netpbm(const std::string& path) { return std::make_unique<NetpbmFile>(path); }
 
-}  // namespace photonproof::inline harness_submissions
+std::unique_ptr<ImageFile> open_plain_pfm(const std::string& path) {
+  char start[2] = {};
+  std::ifstream(path, std::ios::binary).read(start, sizeof start);
+  if (start[0] != 'P' || (start[1] != 'F' && start[1] != 'f')) return nullptr;
+  auto file = std::make_unique<NetpbmFile>(path);
+  if (file->has_scale()) return nullptr;
+  file->check_length();
+  return file;
+}
+
+}  // namespace photonproof::inline scenes_images
