@@ -9,8 +9,8 @@
 #include "harness/references/given_reference.h"
 #include "harness/references/suite_scene.h"
 #include "harness/suites/suite_rows.h"
-#include "harness/verbs/engine_output.h"
 #include "harness/verbs/interrupt.h"
+#include "harness/verbs/usage/progress.h"
 #include "harness/verbs/versions.h"
 #include "scenes/base/input_error.h"
 #include "scenes/base/json_text.h"
@@ -85,19 +85,17 @@ Budget budget_for(const AnySuite& suite, const SuiteScene& scene, const Engine& 
 }
 
 std::optional<MadeReference> made_by_engine(const AnySuite& suite, const SuiteScene& scene,
-                                            const SuiteReferenceArguments& arguments, bool quiet) {
+                                            const SuiteReferenceArguments& arguments,
+                                            const std::string& progress_mode) {
   const Engine* engine = find_named(suite.common.engines, arguments.engine);
   if (engine == nullptr) throw InputError("--engine", unknown_name("engine", arguments.engine, suite.common.engines));
   EngineDraw draw{.program = fs::read_symlink("/proc/self/exe"), .interrupt = &interrupt_flag()};
-  const auto line = progress_line(quiet);
-  if (line)
-    draw.progress = [&](std::size_t done, std::size_t total) {
-      line(static_cast<double>(done) / static_cast<double>(total), engine->name);
-    };
-  auto made = reference_by_engine(
-      suite.common, scene, {*engine, budget_for(suite, scene, *engine, arguments.budget), arguments.images}, draw);
-  if (line) line(1, "");
-  return made;
+  Progress progress(progress_mode);
+  draw.progress = [&](std::size_t done, std::size_t total) {
+    progress.at({static_cast<double>(done), static_cast<double>(total), engine->name, "images"});
+  };
+  return reference_by_engine(suite.common, scene,
+                             {*engine, budget_for(suite, scene, *engine, arguments.budget), arguments.images}, draw);
 }
 
 void check(const SuiteReferenceArguments& arguments) {
@@ -125,7 +123,7 @@ void print(const SuiteScene& scene, const Provenance& p, const fs::path& file, b
 }  // namespace
 
 int make_suite_reference(const std::string& path, const SuiteReferenceArguments& arguments, const std::string& reason,
-                         bool json, bool quiet) {
+                         bool json, const std::string& progress_mode) {
   check(arguments);
   const bool is_suite = fs::path(path).extension() == ".toml";
   const AnySuite suite = is_suite ? read_any_suite(path) : suite_of(path);
@@ -135,7 +133,7 @@ int make_suite_reference(const std::string& path, const SuiteReferenceArguments&
     throw InputError(file.string(), reason_is_missing);
   std::optional<MadeReference> made =
       arguments.from.empty()
-          ? made_by_engine(suite, scene, arguments, quiet)
+          ? made_by_engine(suite, scene, arguments, progress_mode)
           : reference_from_files(
                 scene, {{arguments.from.begin(), arguments.from.end()}, arguments.variance, arguments.transfer});
   if (!made) return 130;

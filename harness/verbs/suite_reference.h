@@ -22,6 +22,6 @@ struct SuiteReferenceArguments {
 /// `path` is a suite, or a scene of our own beside which the reference is put. Returns the exit code. Throws
 /// InputError.
 int make_suite_reference(const std::string& path, const SuiteReferenceArguments& arguments, const std::string& reason,
-                         bool json, bool quiet);
+                         bool json, const std::string& progress_mode);
 
 }  // namespace photonproof::inline harness_verbs

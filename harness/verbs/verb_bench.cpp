@@ -1,7 +1,5 @@
 // photonproof bench: runs a suite and writes its results and reports.
 
-#include <unistd.h>
-
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <filesystem>
@@ -12,6 +10,7 @@
 #include "harness/verbs/interrupt.h"
 #include "harness/verbs/scene_options.h"
 #include "harness/verbs/usage/colour_option.h"
+#include "harness/verbs/usage/progress.h"
 #include "harness/verbs/usage/verb_usage.h"
 #include "harness/verbs/verbs.h"
 #include "harness/verbs/versions.h"
@@ -41,7 +40,7 @@ struct BenchArguments {
   double slower_percent = 100 * ChangeThresholds{}.seconds;
   double error_percent = 100 * ChangeThresholds{}.relmse;
   bool json = false;
-  std::string colour = "auto";
+  std::string colour = "auto", progress = "auto";
   bool report = true;
 };
 
@@ -52,30 +51,27 @@ std::string ending_of(const Result& result) {
   return text;
 }
 
-// On standard error: one line a finished cell, or on a terminal a line that rewrites itself and stays for failures.
+// A line for each finished cell. Where the line of progress rewrites itself, only failures stay.
 class BenchProgressLines : public BenchObserver {
  public:
+  explicit BenchProgressLines(const std::string& mode) : progress_(mode) {}
   void starts(std::size_t number, std::size_t total, const Cell& cell) override {
-    if (!terminal_) return;
-    std::fprintf(stderr, "\r\033[K[%zu/%zu] %s", number, total, cell.label().c_str());
-    std::fflush(stderr);
+    progress_.at({static_cast<double>(number) - 1, static_cast<double>(total), cell.label(), "cells"});
   }
   void ended(std::size_t number, std::size_t total, const Result& result) override {
-    const bool stays = !terminal_ || result.status != Status::ok;
-    std::fprintf(stderr, "%s[%zu/%zu] %s %s%s", terminal_ ? "\r\033[K" : "", number, total, result.cell.label().c_str(),
-                 ending_of(result).c_str(), stays ? "\n" : "");
-    std::fflush(stderr);
+    const std::string what = result.cell.label() + " " + ending_of(result);
+    if (progress_.rewrites() && result.status == Status::ok)
+      progress_.at({static_cast<double>(number), static_cast<double>(total), what, "cells"});
+    else
+      progress_.say("[" + std::to_string(number) + "/" + std::to_string(total) + "] " + what);
   }
   void changed(const ChangeRecord& change) override {
-    std::fprintf(stderr, "%s%s/%s/%s: %s\n", terminal_ ? "\r\033[K" : "", change.scene.c_str(), change.engine.c_str(),
-                 change.budget.label().c_str(), change.sentence.c_str());
+    progress_.say(change.scene + "/" + change.engine + "/" + change.budget.label() + ": " + change.sentence);
   }
-  void done() const {
-    if (terminal_) std::fputs("\r\033[K", stderr);
-  }
+  void done() { progress_.clear(); }
 
  private:
-  bool terminal_ = isatty(STDERR_FILENO) != 0;
+  Progress progress_;
 };
 
 // Metrics and pictures may change with any rebuild; which build this is, the program file's time says.
@@ -197,7 +193,7 @@ int run(const BenchArguments& arguments) {
   }
 
   check_bench_outputs(arguments, suite, options.results_folder);
-  BenchProgressLines progress;
+  BenchProgressLines progress(arguments.progress);
   const BenchSummary summary = run_bench(suite, options, progress);
   progress.done();
   const Results results = read_results(summary.results_file.string());
@@ -222,6 +218,7 @@ void add_suite_options(CLI::App& verb, BenchArguments& arguments) {
   verb.add_flag("--json", arguments.json, "print the summary as JSON");
   add_colour_option(verb, arguments.colour);
   begin_option_group(verb, run_group);
+  add_progress_option(verb, arguments.progress);
   verb.add_flag("--fresh", arguments.fresh, "measure finished cells again; their old results stay beside the new ones");
   verb.add_flag("--retry", arguments.retry, "measure cells again that timed out, crashed or wrote a bad image");
 }

@@ -14,8 +14,8 @@
 #include "harness/gates/gate_accept.h"
 #include "harness/gates/gate_run.h"
 #include "harness/gates/gate_self_tests.h"
-#include "harness/verbs/engine_output.h"
 #include "harness/verbs/interrupt.h"
+#include "harness/verbs/usage/progress.h"
 #include "harness/verbs/usage/verb_usage.h"
 #include "harness/verbs/verbs.h"
 #include "harness/verbs/versions.h"
@@ -38,30 +38,29 @@ struct GateArguments {
   bool self_test = false;
   int runs = 100;
   std::vector<std::string> pool, other_pool;
-  std::string accept, reason;
+  std::string accept, reason, progress = "auto";
   std::optional<double> standard_error;
 };
 
-// On standard error: one line a decided gate; on a terminal also a line that rewrites itself.
+// A line for each decided gate, and how far the images of the others are.
 class ProgressLines : public GateObserver {
  public:
+  explicit ProgressLines(const std::string& mode) : progress_(mode) {}
   void draws(std::size_t drawn, std::size_t total) override {
-    if (!terminal_) return;
-    std::fprintf(stderr, "\r\033[Kfirst looks: %zu of %zu images", drawn, total);
-    std::fflush(stderr);
+    progress_.at({static_cast<double>(drawn), static_cast<double>(total), "first looks", "images"});
   }
   void looks(std::size_t number, std::size_t total, const Gate& gate, std::size_t images) override {
-    if (!terminal_) return;
-    std::fprintf(stderr, "\r\033[K[%zu/%zu] %s: %zu images", number, total, gate.name.c_str(), images);
-    std::fflush(stderr);
+    progress_.at({.phase = place(number, total) + gate.name + ": " + std::to_string(images) + " images"});
   }
   void ended(std::size_t number, std::size_t total, const GateRecord& record) override {
-    std::fprintf(stderr, "%s[%zu/%zu] %s %s: %s\n", terminal_ ? "\r\033[K" : "", number, total,
-                 to_string(record.verdict).c_str(), record.name.c_str(), record.sentence.c_str());
+    progress_.say(place(number, total) + to_string(record.verdict) + " " + record.name + ": " + record.sentence);
   }
 
  private:
-  bool terminal_ = isatty(STDERR_FILENO) != 0;
+  static std::string place(std::size_t number, std::size_t total) {
+    return "[" + std::to_string(number) + "/" + std::to_string(total) + "] ";
+  }
+  Progress progress_;
 };
 
 std::vector<fs::path> write_gate_reports(const GateSummary& summary) {
@@ -190,7 +189,8 @@ int self_test(const GateArguments& arguments, const GateSuite& suite) {
   options.runs = arguments.runs;
   options.pool = read_pool_sizes("--pool", arguments.pool, options.pool.usual);
   options.other_pool = read_pool_sizes("--other-pool", arguments.other_pool, options.other_pool.usual);
-  options.progress = progress_line(arguments.json);
+  Progress progress(arguments.json ? "none" : arguments.progress);
+  options.progress = progress.callback();
   const SelfTest test = run_self_test(suite, options);
   if (test.interrupted) {
     std::printf("interrupted; --resume goes on from here\n");
@@ -228,7 +228,7 @@ int run_gates(const GateArguments& arguments) {
   if (!arguments.accept.empty()) return accept(arguments, suite);
   if (!arguments.reason.empty()) throw InputError("--reason", "is for --accept");
   if (arguments.self_test) return self_test(arguments, suite);
-  ProgressLines progress;
+  ProgressLines progress(arguments.progress);
   const GateSummary summary = run_gates(suite, options_of(arguments, suite), progress);
   const std::vector<fs::path> reports = arguments.report ? write_gate_reports(summary) : std::vector<fs::path>{};
   const char* github = std::getenv("GITHUB_ACTIONS");
@@ -254,6 +254,7 @@ void add_decision_options(CLI::App& verb, GateArguments& arguments) {
   verb.add_flag("--annotations", arguments.annotations,
                 "print a GitHub annotation for each gate that does not pass (default: in GitHub's CI)");
   begin_option_group(verb, run_group);
+  add_progress_option(verb, arguments.progress);
   verb.add_flag("--resume", arguments.resume, "use the images that an interrupted run left in the results folder");
   verb.add_flag("--fresh", arguments.fresh,
                 "decide every gate again (default: a gate passes whose first images passed before)");

@@ -1,19 +1,18 @@
 // photonproof grade: builds and runs a class's submissions, judges their images and their speed, writes the gradebook.
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
-#include <mutex>
 #include <nlohmann/json.hpp>
 
 #include "harness/grading/assignment.h"
 #include "harness/grading/autograder.h"
 #include "harness/grading/grade_session.h"
 #include "harness/verbs/interrupt.h"
+#include "harness/verbs/usage/progress.h"
 #include "harness/verbs/usage/verb_usage.h"
 #include "harness/verbs/verbs.h"
 #include "harness/verbs/versions.h"
@@ -34,36 +33,14 @@ namespace fs = std::filesystem;
 
 struct GradeArguments {
   std::string assignment, output, only, scene, autograder;
+  std::string progress = "auto";
   std::vector<std::string> submissions;
   std::uint64_t seed = 1;
   int threads = 0;
   bool resume = false, fresh = false, json = false, sandbox = true, timing = true;
 };
 
-// On standard error: what goes on, rewritten on a terminal; elsewhere only what ended.
-class GradeLines {
- public:
-  void progress(const std::string& text) {
-    if (!terminal_) return;
-    const std::lock_guard lock(writing_);
-    std::fprintf(stderr, "\r\033[K%s", printable(text).c_str());
-    std::fflush(stderr);
-  }
-  void heard(const SubmissionGrade& grade) {
-    const std::lock_guard lock(writing_);
-    std::fprintf(stderr, "%s%s: %s scenes right; %s\n", terminal_ ? "\r\033[K" : "", printable(grade.name).c_str(),
-                 right_scenes_text(grade).c_str(), printable(grade.sentence).c_str());
-  }
-  void end() const {
-    if (terminal_) std::fprintf(stderr, "\r\033[K");
-  }
-
- private:
-  bool terminal_ = isatty(STDERR_FILENO) != 0;
-  std::mutex writing_;
-};
-
-GradeOptions grade_options(const GradeArguments& arguments, const Assignment& assignment, GradeLines& lines) {
+GradeOptions grade_options(const GradeArguments& arguments, const Assignment& assignment, Progress& progress) {
   GradeOptions options;
   options.folder = arguments.output.empty() ? fs::path("out") / assignment.name : fs::path(arguments.output);
   options.program = fs::read_symlink("/proc/self/exe");
@@ -88,8 +65,10 @@ GradeOptions grade_options(const GradeArguments& arguments, const Assignment& as
   options.contained = arguments.sandbox;
   options.timing = arguments.timing;
   options.interrupt = &interrupt_flag();
-  options.progress = [&lines](const std::string& text) { lines.progress(text); };
-  options.heard = [&lines](const SubmissionGrade& grade) { lines.heard(grade); };
+  options.progress = [&progress](const std::string& text) { progress.at({.phase = text}); };
+  options.heard = [&progress](const SubmissionGrade& grade) {
+    progress.say(grade.name + ": " + right_scenes_text(grade) + " scenes right; " + grade.sentence);
+  };
   return options;
 }
 
@@ -113,10 +92,10 @@ int run_grade(const GradeArguments& arguments) {
     return 0;
   }
   if (arguments.submissions.empty()) throw InputError("submissions", "there are none to grade");
-  GradeLines lines;
-  const GradeOptions options = grade_options(arguments, assignment, lines);
+  Progress progress(arguments.progress);
+  const GradeOptions options = grade_options(arguments, assignment, progress);
   const Grades grades = grade_submissions(assignment, options);
-  lines.end();
+  progress.clear();
   write_grades(grades, options.folder);
   if (arguments.json) {
     std::printf("%s\n", json_text(grades_to_json(grades)).c_str());
@@ -147,6 +126,7 @@ void add_grade_options(CLI::App& verb, GradeArguments& arguments) {
   verb.add_option("--autograder", arguments.autograder,
                   "write Gradescope's autograder of the assignment (zip); grade nothing");
   begin_option_group(verb, run_group);
+  add_progress_option(verb, arguments.progress);
   verb.add_flag("--resume", arguments.resume, "use the runs that an interrupted grading left in the results folder");
   verb.add_flag("--fresh", arguments.fresh, "make references anew (default: use those in the results folder)");
   verb.add_flag("--sandbox,!--no-sandbox", arguments.sandbox,

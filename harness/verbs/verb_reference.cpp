@@ -18,6 +18,7 @@
 #include "harness/verbs/scene_options.h"
 #include "harness/verbs/suite_reference.h"
 #include "harness/verbs/usage/name_hints.h"
+#include "harness/verbs/usage/progress.h"
 #include "harness/verbs/usage/verb_usage.h"
 #include "harness/verbs/verbs.h"
 #include "harness/verbs/versions.h"
@@ -50,7 +51,10 @@ struct ReferenceArguments {
   bool witness = false, no_witness = false;  ///< neither: with --commit
   bool fresh = false;
   bool json = false;
+  std::string progress = "auto";
   bool quiet = false;
+
+  std::string progress_mode() const { return quiet ? "none" : progress; }
   SuiteReferenceArguments suite;
 };
 
@@ -170,8 +174,8 @@ ReferenceProgress render(const Job& job, const std::string& integrator, double s
   run.threads = job.arguments.threads;
   run.folder = job.folder / (integrator + "-" + version.hex());
   run.interrupt = &interrupt_flag();
-  run.progress = [line = progress_line(job.arguments.quiet), &run](const BatchMeans& means,
-                                                                   std::optional<double> error) {
+  Progress progress(job.arguments.progress_mode());
+  run.progress = [line = progress.callback(), &run](const BatchMeans& means, std::optional<double> error) {
     if (!line) return;
     // The square of the error falls as one over the batches; the least number of them takes as long as it takes.
     const double by_error = error && *error > 0 ? run.standard_error * run.standard_error / (*error * *error) : 1;
@@ -183,9 +187,7 @@ ReferenceProgress render(const Job& job, const std::string& integrator, double s
   };
   if (job.arguments.fresh) fs::remove_all(run.folder);
   fs::create_directories(run.folder);
-  ReferenceProgress progress = run_reference(run);
-  if (const auto line = progress_line(job.arguments.quiet)) line(1, "");
-  return progress;
+  return run_reference(run);
 }
 
 void print(const Job& job, const Provenance& p, const std::vector<fs::path>& files, bool reached) {
@@ -346,7 +348,7 @@ int reference_of(const ReferenceArguments& arguments) {
 int make_reference(const ReferenceArguments& arguments) {
   if (arguments.suite.any() || fs::path(arguments.scene.path).extension() == ".toml")
     return make_suite_reference(arguments.scene.path, arguments.suite, arguments.reason, arguments.json,
-                                arguments.quiet);
+                                arguments.progress_mode());
   try {
     return reference_of(arguments);
   } catch (const NoWitnessYet& late) {
@@ -404,7 +406,8 @@ void add_reference_options(CLI::App& verb, ReferenceArguments& arguments) {
       ->check(is_finite_number);
   verb.add_flag("--fresh", arguments.fresh, "begin anew, without what the cache has");
   verb.add_option("--threads", arguments.threads, "worker threads (default: every core)")->check(CLI::Range(0, 1024));
-  verb.add_flag("--quiet", arguments.quiet, "print no progress line");
+  add_progress_option(verb, arguments.progress);
+  verb.add_flag("--quiet", arguments.quiet, "the same as --progress none");
 }
 
 }  // namespace

@@ -1,7 +1,5 @@
 // photonproof verify: do independent engines show the same scene, and who is wrong where they do not?
 
-#include <unistd.h>
-
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
@@ -10,6 +8,7 @@
 
 #include "harness/verbs/interrupt.h"
 #include "harness/verbs/scene_options.h"
+#include "harness/verbs/usage/progress.h"
 #include "harness/verbs/usage/verb_usage.h"
 #include "harness/verbs/verbs.h"
 #include "harness/verify/verify_run.h"
@@ -27,6 +26,7 @@ struct VerifyArguments {
   std::string output = "out/verify", rows, size, markdown, csv;
   double power = 0, seconds = 0;  // 0: by --quick
   int threads = 0;
+  std::string progress = "auto";
   bool quick = false, probes = true, json = false;
 };
 
@@ -42,9 +42,8 @@ std::string command_of(const VerifyArguments& arguments) {
   return shell_line(command);
 }
 
-VerifyOptions verify_options(const VerifyArguments& arguments) {
+VerifyOptions verify_options(const VerifyArguments& arguments, Progress& progress) {
   VerifyOptions options;
-  const bool is_terminal = isatty(STDERR_FILENO) != 0;
   options.renderer.folder = arguments.output;
   options.renderer.program = fs::read_symlink("/proc/self/exe");
   options.renderer.rows = arguments.rows;
@@ -64,20 +63,16 @@ VerifyOptions verify_options(const VerifyArguments& arguments) {
     options.width = film.width;
     options.height = film.height;
   }
-  if (is_terminal)
-    options.renderer.at_work = [](const std::string& what) {
-      std::fprintf(stderr, "\r\033[K%s", what.c_str());
-      std::fflush(stderr);
-    };
-  options.ended = [is_terminal](const VerifyScene& scene) {
-    std::fprintf(stderr, "%s%s: %s\n", is_terminal ? "\r\033[K" : "", scene.name.c_str(), scene.verdict.c_str());
-  };
+  options.renderer.at_work = [&progress](const std::string& what) { progress.at({.phase = what}); };
+  options.ended = [&progress](const VerifyScene& scene) { progress.say(scene.name + ": " + scene.verdict); };
   return options;
 }
 
 int verify(const VerifyArguments& arguments) {
-  const VerifyOptions options = verify_options(arguments);
+  Progress progress(arguments.progress);
+  const VerifyOptions options = verify_options(arguments, progress);
   const VerifyRecord record = run_verify(options);
+  progress.clear();
   const fs::path folder = options.renderer.folder, page = folder / "verify.html";
   write_verify_page(record, folder, page);
   if (!arguments.markdown.empty()) write_file_atomically(arguments.markdown, verify_markdown(record));
@@ -116,6 +111,7 @@ void add_verify_options(CLI::App& verb, VerifyArguments& arguments) {
   verb.add_option("--seconds", arguments.seconds,
                   "most processor time per thread for an engine's samples of a scene, in seconds (default 20)")
       ->check(CLI::Range(0.01, 1e5));
+  add_progress_option(verb, arguments.progress);
   verb.add_option("--threads", arguments.threads, "threads of each engine (default: every core)")
       ->check(CLI::Range(0, 1024));
 }

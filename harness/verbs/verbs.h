@@ -10,7 +10,6 @@ namespace photonproof::inline harness_verbs {
 
 /// Adds the subcommand to `program`; its callback leaves the process's exit code in `exit_code`.
 void add_generate_verb(CLI::App& program, int& exit_code);
-void add_render_verb(CLI::App& program, int& exit_code);
 void add_export_verb(CLI::App& program, int& exit_code);
 void add_compare_verb(CLI::App& program, int& exit_code);
 void add_bench_verb(CLI::App& program, int& exit_code);
@@ -19,6 +18,7 @@ void add_grade_verb(CLI::App& program, int& exit_code);
 void add_reference_verb(CLI::App& program, int& exit_code);
 void add_report_verb(CLI::App& program, int& exit_code);
 void add_verify_verb(CLI::App& program, int& exit_code);
+void add_view_verb(CLI::App& program, int& exit_code);
 void add_decode_image_verb(CLI::App& program, int& exit_code);
 
 /// Parses the arguments and runs the verb. Returns the process's exit code: the `exit_code` that the verb's callback
@@ -33,6 +33,10 @@ void add_povray_verb(CLI::App& program, int& exit_code);
 void add_cycles_verb(CLI::App& program, int& exit_code);
 void add_denoiser_verb(CLI::App& program, int& exit_code);
 }  // namespace photonproof::inline harness_verbs_engines
+
+namespace photonproof::inline harness_verbs_render {
+void add_render_verb(CLI::App& program, int& exit_code);
+}  // namespace photonproof::inline harness_verbs_render
 
 namespace photonproof::inline harness_verbs_stress {
 void add_stress_verb(CLI::App& program, int& exit_code);

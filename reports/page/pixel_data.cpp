@@ -27,13 +27,7 @@ std::uint16_t folded(std::uint16_t difference) {
   return static_cast<std::uint16_t>(value < 0 ? -2 * value - 1 : 2 * value);
 }
 
-struct Loaded {
-  std::optional<Image> image, flip;
-  bool from_picture = false;
-  std::string problem;
-};
-
-Loaded load(const std::filesystem::path& folder, const PixelSource& source, double exposure) {
+LoadedImage load(const std::filesystem::path& folder, const PixelSource& source, double exposure) {
   const ResultsFile exact = results_file(folder, source.image), picture = results_file(folder, source.picture);
   const bool from_picture = !exact.problem.empty();
   const ResultsFile& file = from_picture ? picture : exact;
@@ -86,17 +80,21 @@ std::string packed_pixels(const Image& image) {
 
 PixelDataSet pixel_data(const std::filesystem::path& folder, const std::vector<PixelSource>& sources, double exposure,
                         std::size_t allowance) {
-  std::vector<Loaded> loaded;
+  std::vector<LoadedImage> loaded;
+  loaded.reserve(sources.size());
+  for (const PixelSource& source : sources) loaded.push_back(load(folder, source, exposure));
+  return pixel_data(loaded, allowance);
+}
+
+PixelDataSet pixel_data(const std::vector<LoadedImage>& images, std::size_t allowance) {
   int longest = 1;
-  for (const PixelSource& source : sources) {
-    loaded.push_back(load(folder, source, exposure));
-    if (const auto& image = loaded.back().image) longest = std::max({longest, image->width, image->height});
-  }
+  for (const LoadedImage& each : images)
+    if (each.image) longest = std::max({longest, each.image->width, each.image->height});
   for (int factor = 1;;) {
     PixelDataSet set;
     set.reduced_by = factor;
     std::size_t bytes = 0;
-    for (const Loaded& each : loaded) {
+    for (const LoadedImage& each : images) {
       PixelData& pixels = set.images.emplace_back();
       pixels.problem = each.problem;
       if (!each.image) continue;

@@ -10,6 +10,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -42,6 +43,17 @@ struct PixelDataSet {
   std::vector<PixelData> images;  ///< one for each source
   int reduced_by = 1;             ///< pixels that were averaged into one, in each direction
 };
+
+/// An image in memory, or the reason why there is none.
+struct LoadedImage {
+  std::optional<Image> image;
+  std::optional<Image> flip{};  ///< its FLIP map, of the same size
+  bool from_picture = false;    ///< from an 8-bit picture, since the EXR is missing
+  std::string problem{};
+};
+
+/// All images, reduced by the smallest whole factor that keeps their base64 within `allowance` bytes.
+PixelDataSet pixel_data(const std::vector<LoadedImage>& images, std::size_t allowance);
 
 /// All images of a scene, reduced by the smallest whole factor that keeps their base64 within `allowance` bytes.
 PixelDataSet pixel_data(const std::filesystem::path& folder, const std::vector<PixelSource>& sources, double exposure,

@@ -26,7 +26,8 @@ std::string problem_with(const EllipsoidCloud& cloud, std::size_t bytes) {
   if (count * 2 * 13 > bytes + 1) return "more ellipsoids than the file has room for";
   if (!std::ranges::all_of(cloud.ellipsoids, is_sound)) return "an ellipsoid that is not finite, or its turn no unit";
   if (!cloud.opacities.empty() && cloud.opacities.size() != count) return "another number of opacities";
-  if (!std::ranges::all_of(cloud.opacities, [](float v) { return v >= 0 && v <= 1; })) return "an opacity beyond 0 to 1";
+  if (!std::ranges::all_of(cloud.opacities, [](float v) { return v >= 0 && v <= 1; }))
+    return "an opacity beyond 0 to 1";
   if (cloud.harmonics.size() != count * cloud.coefficients) return "another number of harmonics";
   const auto is_known = [](const Rgb& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); };
   return std::ranges::all_of(cloud.harmonics, is_known) ? "" : "a harmonic that is not finite";

@@ -138,4 +138,14 @@ std::unique_ptr<ImageFile> open_plain_pfm(const std::string& path) {
   return file;
 }
 
+void write_pfm(const std::string& path, const Image& image) {
+  static_assert(std::endian::native == std::endian::little, "as the scale -1 tells");
+  std::string bytes = "PF\n" + std::to_string(image.width) + " " + std::to_string(image.height) + "\n-1\n";
+  const std::size_t head = bytes.size(), row = 3 * sizeof(float) * static_cast<std::size_t>(image.width);
+  bytes.resize(head + row * static_cast<std::size_t>(image.height));
+  for (int y = 0; y < image.height; ++y)
+    std::memcpy(&bytes[head + row * static_cast<std::size_t>(image.height - 1 - y)], image.pixel(0, y), row);
+  write_file_atomically(path, bytes);
+}
+
 }  // namespace photonproof::inline scenes_images

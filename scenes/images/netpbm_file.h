@@ -6,6 +6,7 @@
 #include <memory>
 #include <string>
 
+#include "scenes/images/image.h"
 #include "scenes/images/image_file.h"
 
 namespace photonproof::inline scenes_images {
@@ -17,5 +18,9 @@ std::unique_ptr<ImageFile> open_netpbm(const std::string& path);
 /// The same for a PFM file without a scale, that is, of scale 1 or -1. A file too short for its size is refused here,
 /// before memory is taken for it. Null for any other file.
 std::unique_ptr<ImageFile> open_plain_pfm(const std::string& path);
+
+/// A PFM of R, G and B, lowest row first, little-endian, of scale 1. It is written beside the target and renamed. Throws
+/// InputError when it cannot be written.
+void write_pfm(const std::string& path, const Image& image);
 
 }  // namespace photonproof::inline scenes_images

@@ -9,6 +9,7 @@
 #include "harness/verbs/engine_output.h"
 #include "harness/verbs/interrupt.h"
 #include "harness/verbs/scene_options.h"
+#include "harness/verbs/usage/progress.h"
 #include "harness/verbs/usage/verb_usage.h"
 #include "harness/verbs/verbs.h"
 #include "reference/cycles/cycles_engine.h"
@@ -25,6 +26,7 @@ struct CyclesArguments {
   CyclesOptions options;
   std::string stats_path;
   bool json = false;
+  std::string progress = "auto";
   bool quiet = false;
 };
 
@@ -55,7 +57,8 @@ int run_cycles(const CyclesArguments& arguments) {
   const CyclesExport scene = export_cycles(description, arguments.options);
   CyclesRunOptions options;
   options.interrupt = &interrupt_flag();
-  options.progress = progress_line(arguments.quiet);
+  Progress progress(arguments.quiet ? "none" : arguments.progress);
+  options.progress = progress.callback();
   const CyclesRun run = render_cycles(scene, options);
 
   write_exr(arguments.output, run.rendering);
@@ -95,7 +98,8 @@ void add_cycles_verb(CLI::App& program, int& exit_code) {
   verb->add_option("--threads", arguments->options.threads, "worker threads (default: every core)")
       ->check(CLI::Range(1, 1024));
   verb->add_flag("--json", arguments->json, "print the stats as JSON");
-  verb->add_flag("--quiet", arguments->quiet, "print no progress line");
+  add_progress_option(*verb, arguments->progress);
+  verb->add_flag("--quiet", arguments->quiet, "the same as --progress none");
   verb->callback([arguments, &exit_code] {
     exit_code = refusing_with_3([&] { return interruptibly([&] { return run_cycles(*arguments); }); });
   });

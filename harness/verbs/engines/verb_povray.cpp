@@ -8,6 +8,7 @@
 #include "harness/verbs/engine_output.h"
 #include "harness/verbs/interrupt.h"
 #include "harness/verbs/povray_arguments.h"
+#include "harness/verbs/usage/progress.h"
 #include "harness/verbs/usage/verb_usage.h"
 #include "harness/verbs/verbs.h"
 #include "reference/povray/povray_engine.h"
@@ -21,6 +22,7 @@ namespace {
 struct PovrayVerbArguments : PovrayArguments {
   std::string stats_path;
   bool json = false;
+  std::string progress = "auto";
   bool quiet = false;
 };
 
@@ -58,7 +60,8 @@ int run_povray(const PovrayVerbArguments& arguments) {
   const PovrayExport scene = export_povray(description, povray);
   PovrayRunOptions options;
   options.interrupt = &interrupt_flag();
-  options.progress = progress_line(arguments.quiet);
+  Progress progress(arguments.quiet ? "none" : arguments.progress);
+  options.progress = progress.callback();
   const PovrayRun run = render_povray(scene, options);
 
   write_exr(arguments.output, run.rendering);
@@ -93,7 +96,8 @@ void add_povray_verb(CLI::App& program, int& exit_code) {
   verb->add_option("--stats", arguments->stats_path, "stats JSON to write (default: beside the EXR, as .stats.json)");
   begin_option_group(*verb, run_group);
   verb->add_flag("--json", arguments->json, "print the stats as JSON");
-  verb->add_flag("--quiet", arguments->quiet, "print no progress line");
+  add_progress_option(*verb, arguments->progress);
+  verb->add_flag("--quiet", arguments->quiet, "the same as --progress none");
   verb->callback([arguments, &exit_code] {
     exit_code = refusing_with_3([&] { return interruptibly([&] { return run_povray(*arguments); }); });
   });

@@ -23,6 +23,7 @@ void make_whole_program(CLI::App& program, int& exit_code) {
   add_cycles_verb(program, exit_code);
   add_reference_verb(program, exit_code);
   add_compare_verb(program, exit_code);
+  add_view_verb(program, exit_code);
   add_bench_verb(program, exit_code);
   add_report_verb(program, exit_code);
   add_gate_verb(program, exit_code);

@@ -1,7 +1,5 @@
 // photonproof stress: runs every feature's sweeps until they break, and reports where.
 
-#include <unistd.h>
-
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
@@ -12,6 +10,7 @@
 #include "harness/stress/stress_run.h"
 #include "harness/suites/engines.h"
 #include "harness/verbs/interrupt.h"
+#include "harness/verbs/usage/progress.h"
 #include "harness/verbs/usage/verb_usage.h"
 #include "harness/verbs/verbs.h"
 #include "renderer/core/version.h"
@@ -28,7 +27,7 @@ namespace {
 namespace fs = std::filesystem;
 
 struct StressArguments {
-  std::string output = "out/stress", engines_file, against, program, markdown;
+  std::string output = "out/stress", engines_file, against, program, markdown, progress = "auto";
   std::vector<std::string> only, engines;
   bool quick = false, turned = false, list = false;
   int jobs = 0;
@@ -41,7 +40,7 @@ std::vector<Engine> engines_of_file(const std::string& file) {
   return all;
 }
 
-StressOptions stress_options(const StressArguments& arguments) {
+StressOptions stress_options(const StressArguments& arguments, Progress& progress) {
   StressOptions options;
   options.others = arguments.engines_file.empty() ? builtin_engines() : engines_of_file(arguments.engines_file);
   std::erase_if(options.others, [](const Engine& engine) { return find_integrator(engine.name) != nullptr; });
@@ -70,16 +69,11 @@ StressOptions stress_options(const StressArguments& arguments) {
   command.insert(command.end(), {"-o", arguments.output});
   options.command = shell_line(command);
   options.interrupt = &interrupt_flag();
-  options.ended = [is_terminal = isatty(STDERR_FILENO) != 0](std::size_t ended, std::size_t all,
-                                                             const StressSweep& sweep) {
+  options.ended = [&progress](std::size_t ended, std::size_t all, const StressSweep& sweep) {
+    const std::string name = sweep.feature + ", " + sweep.sweep_run + ", " + sweep.engine;
     if (sweep.breakdown() != nullptr)
-      std::fprintf(stderr, "%s%s, %s, %s: %s: %s\n", is_terminal ? "\r\033[K" : "", sweep.feature.c_str(),
-                   sweep.sweep_run.c_str(), sweep.engine.c_str(), reports::sweep_words(sweep).c_str(),
-                   sweep.breakdown()->sentence.c_str());
-    if (!is_terminal) return;
-    std::fprintf(stderr, "\r\033[K[%zu/%zu] %s, %s, %s", ended, all, sweep.feature.c_str(), sweep.sweep_run.c_str(),
-                 sweep.engine.c_str());
-    std::fflush(stderr);
+      progress.say(name + ": " + reports::sweep_words(sweep) + ": " + sweep.breakdown()->sentence);
+    progress.at({static_cast<double>(ended), static_cast<double>(all), name, "sweeps"});
   };
   return options;
 }
@@ -92,11 +86,12 @@ int list_sweeps() {
 
 int stress(const StressArguments& arguments) {
   if (arguments.list) return list_sweeps();
-  const StressOptions options = stress_options(arguments);
+  Progress progress(arguments.progress);
+  const StressOptions options = stress_options(arguments, progress);
   std::optional<StressRecord> old;  // read before the run may replace it
   if (!arguments.against.empty()) old = read_stress_record(arguments.against);
   const StressRecord record = run_stress(options);
-  if (isatty(STDERR_FILENO) != 0) std::fprintf(stderr, "\r\033[K");
+  progress.clear();
   const std::vector<std::string> worse = old ? steps_back(*old, record) : std::vector<std::string>{};
   const fs::path page = options.folder / "stress.html";
   reports::write_stress_page(record, worse, options.folder, page);
@@ -129,6 +124,7 @@ void add_stress_options(CLI::App& verb, StressArguments& arguments) {
   verb.add_option("--against", arguments.against, "an earlier stress.json; sweeps that got worse since fail");
   verb.add_option("--markdown", arguments.markdown, "file for the table of all sweeps");
   begin_option_group(verb, run_group);
+  add_progress_option(verb, arguments.progress);
   verb.add_flag("--quick", arguments.quick,
                 "path and photonmapper at the required levels; full sweeps only where these fail");
   verb.add_flag("--turned", arguments.turned, "turn every scene, so that no face lies along an axis");

@@ -3,6 +3,7 @@
 
 #include <sys/wait.h>
 
+#include <algorithm>
 #include <cmath>
 #include <csignal>
 
@@ -10,8 +11,9 @@
 #include "scenes/base/process.h"
 #include "scenes/files/test_folder.h"
 #include "scenes/images/image.h"
+#include "scenes/images/image_file.h"
 
-namespace photonproof::inline harness_verbs {
+namespace photonproof::inline harness_verbs_render {
 namespace {
 
 const std::string library = PHOTONPROOF_SOURCE_DIR "/scenes/library/";
@@ -241,6 +243,47 @@ TEST_F(RenderVerb, view_is_named_in_image_stats_and_plan_and_resumed_as_itself) 
   EXPECT_FALSE(has("b.exr"));
 }
 
+// OpenImageIO and libpng read what is written here. Of sRGB's curve, 12.92 v for dark values and the power 1/2.4 for
+// others, the test has a formula of its own.
+TEST_F(RenderVerb, writes_the_same_image_as_pfm_and_as_png) {
+  const std::vector<std::string> options{"--size", "7x5", "--spp", "2", "--quiet"};
+  const auto with = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), options.begin(), options.end());
+    return more;
+  };
+  ASSERT_TRUE(render("a.exr", options).ok());
+  ASSERT_TRUE(render("a.pfm", options).ok());
+  ASSERT_TRUE(render("a.png", options).ok());
+  ASSERT_TRUE(render("dark.png", with({"--exposure", "-1.5"})).ok());
+  const Image exr = read_image(path("a.exr"));
+  EXPECT_EQ(open_other_format(path("a.pfm"))->header().channels, (std::vector<std::string>{"R", "G", "B"}));
+  std::vector<float> pfm(exr.rgb.size());
+  open_other_format(path("a.pfm"))->read(0, 5, 0, 3, pfm.data());
+  EXPECT_EQ(pfm, exr.rgb);
+  for (const auto& [name, stops] : {std::pair<const char*, double>{"a.png", 0}, {"dark.png", -1.5}}) {
+    const Image png = read_texture_image(path(name), true);
+    ASSERT_EQ(png.rgb.size(), exr.rgb.size());
+    for (std::size_t i = 0; i < exr.rgb.size(); ++i) {
+      const double v = std::min(double{exr.rgb[i]} * std::pow(2.0, stops), 1.0);
+      const double encoded = v < 0.0031308 ? 12.92 * v : 1.055 * std::pow(v, 5.0 / 12) - 0.055;
+      EXPECT_NEAR(double{png.rgb[i]} * 255, encoded * 255, 0.501) << name << " " << i;
+    }
+  }
+}
+
+TEST_F(RenderVerb, formats_that_it_does_not_write_are_one_sentence) {
+  const auto message = [&](const std::string& output, const std::vector<std::string>& more) {
+    const ProcessOutcome outcome = render(output, more);
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_FALSE(has(output));
+    return outcome.standard_error;
+  };
+  EXPECT_EQ(message("a.jpg", {}), "--output: error: '" + path("a.jpg") +
+                                      "' does not name a format, expected NAME.exr, NAME.pfm or NAME.png\n");
+  EXPECT_EQ(message("a.exr", {"--exposure", "1"}),
+            "--exposure: error: is for a PNG, but " + path("a.exr") + " has the radiance itself\n");
+}
+
 TEST_F(RenderVerb, scene_whose_name_is_no_utf8_has_its_stats) {
   const std::string named = path("sc\xFFne.xml");
   std::filesystem::copy_file(scene_, named);
@@ -296,4 +339,4 @@ TEST_F(RenderVerb, checkpoint_of_a_render_at_work_is_not_called_unfinished) {
 }
 
 }  // namespace
-}  // namespace photonproof::inline harness_verbs
+}  // namespace photonproof::inline harness_verbs_render

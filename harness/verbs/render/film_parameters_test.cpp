@@ -16,7 +16,7 @@
 #include "scenes/images/exr_file.h"
 #include "scenes/images/image.h"
 
-namespace photonproof::inline harness_verbs {
+namespace photonproof::inline harness_verbs_render {
 namespace {
 
 const std::string crop_24x16 =
@@ -270,4 +270,4 @@ TEST_F(FilmParameters, channel_a_leaves_out_lights_that_are_hidden) {
 }
 
 }  // namespace
-}  // namespace photonproof::inline harness_verbs
+}  // namespace photonproof::inline harness_verbs_render

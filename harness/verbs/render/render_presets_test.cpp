@@ -9,7 +9,7 @@
 #include "scenes/base/process.h"
 #include "scenes/files/test_folder.h"
 
-namespace photonproof::inline harness_verbs {
+namespace photonproof::inline harness_verbs_render {
 namespace {
 
 class RenderPresetTest : public FolderTest {
@@ -73,4 +73,4 @@ TEST_F(RenderPresetTest, is_one_of_those_that_there_are) {
 }
 
 }  // namespace
-}  // namespace photonproof::inline harness_verbs
+}  // namespace photonproof::inline harness_verbs_render

@@ -6,7 +6,7 @@
 
 #include "scenes/description/description.h"
 
-namespace photonproof::inline harness_verbs {
+namespace photonproof::inline harness_verbs_render {
 
 struct RenderPreset {
   const char* name;
@@ -20,4 +20,4 @@ const std::vector<RenderPreset>& render_presets();
 /// Null where the name is empty. Throws InputError where there is none of the name.
 const RenderPreset* preset_named(const std::string& name);
 
-}  // namespace photonproof::inline harness_verbs
+}  // namespace photonproof::inline harness_verbs_render

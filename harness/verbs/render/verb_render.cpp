@@ -1,4 +1,4 @@
-// photonproof render: a scene file to an EXR and a stats JSON beside it.
+// photonproof render: a scene file to an image and a stats JSON beside it.
 // Exit codes: 0 done, 1 done but some values are not finite or the image is not denoised, 2 bad input, 130 interrupted
 // (partial results kept).
 
@@ -6,21 +6,28 @@
 #include <memory>
 #include <string>
 
-#include "harness/verbs/render_presets.h"
-#include "harness/verbs/render_run.h"
+#include "harness/verbs/render/render_presets.h"
+#include "harness/verbs/render/render_run.h"
 #include "harness/verbs/usage/name_hints.h"
+#include "harness/verbs/usage/progress.h"
 #include "harness/verbs/usage/verb_usage.h"
 #include "harness/verbs/verbs.h"
 #include "renderer/integrators/integrator.h"
 #include "renderer/passes/aov.h"
 
-namespace photonproof::inline harness_verbs {
+namespace photonproof::inline harness_verbs_render {
 namespace {
 
 void add_output_options(CLI::App& verb, RenderArguments& arguments) {
   begin_option_group(verb, output_group);
-  verb.add_option("-o,--output", arguments.output, "EXR to write");
-  verb.add_option("--stats", arguments.stats_path, "stats JSON to write (default: beside the EXR, as .stats.json)");
+  verb.add_option("-o,--output", arguments.output,
+                  "image to write: NAME.exr with the variance of each pixel, NAME.pfm or NAME.png");
+  verb.add_option("--exposure", arguments.exposure,
+                  "stops by which a PNG is brighter than the radiance, whose 1 is white")
+      ->check(CLI::Range(-64.0, 64.0))
+      ->check(is_finite_number)
+      ->type_name("STOPS");
+  verb.add_option("--stats", arguments.stats_path, "stats JSON to write (default: beside the image, as .stats.json)");
   verb.add_option("--crop", arguments.crop, "render only this part of the image, in pixels from its upper left corner")
       ->expected(4)
       ->type_name("X Y WIDTH HEIGHT");
@@ -99,26 +106,28 @@ void add_run_options(CLI::App& verb, RenderArguments& arguments) {
                   "instruction set (default: the best here); v3 and v4 give the same bits, others differ")
       ->check(one_of(isas));
   verb.add_flag("--json", arguments.json, "print the stats as JSON");
-  verb.add_flag("--quiet", arguments.quiet, "print no progress line");
+  add_progress_option(verb, arguments.progress);
+  verb.add_flag("--quiet", arguments.quiet, "the same as --progress none");
 }
 
 }  // namespace
 
 void add_render_verb(CLI::App& program, int& exit_code) {
   auto arguments = std::make_shared<RenderArguments>();
-  CLI::App* verb =
-      add_verb(program, {.name = "render",
-                         .group = render_group,
-                         .purpose = "Render a scene to an EXR with per-pixel variance and a stats JSON",
-                         .examples = {"photonproof render scenes/library/cornell/scene.xml -o cornell.exr",
-                                      "photonproof render scenes/library/caustic-glass/scene.xml -o glass.exr "
-                                      "--integrator photonmapper --seconds 30",
-                                      "photonproof render scenes/library/cornell/scene.xml --plan"},
-                         .exit_codes = {done,
-                                        {1, "done, but some values are not finite, or the image is not denoised"},
-                                        bad_input,
-                                        internal_error,
-                                        {130, "interrupted; the image so far is written, --resume continues"}}});
+  CLI::App* verb = add_verb(
+      program, {.name = "render",
+                .group = render_group,
+                .purpose = "Render a scene to an EXR with per-pixel variance, a PFM or a PNG, and a stats JSON",
+                .examples = {"photonproof render scenes/library/cornell/scene.xml -o cornell.exr",
+                             "photonproof render scenes/library/caustic-glass/scene.xml -o glass.exr "
+                             "--integrator photonmapper --seconds 30",
+                             "photonproof render scenes/library/cornell/scene.xml -o cornell.png --exposure 1",
+                             "photonproof render scenes/library/cornell/scene.xml --plan"},
+                .exit_codes = {done,
+                               {1, "done, but some values are not finite, or the image is not denoised"},
+                               bad_input,
+                               internal_error,
+                               {130, "interrupted; the image so far is written, --resume continues"}}});
   add_scene_options(*verb, arguments->scene);
   add_mitsuba_option(*verb, arguments->scene);
   add_output_options(*verb, *arguments);
@@ -128,4 +137,4 @@ void add_render_verb(CLI::App& program, int& exit_code) {
   verb->callback([arguments, &exit_code] { exit_code = run_render(*arguments); });
 }
 
-}  // namespace photonproof::inline harness_verbs
+}  // namespace photonproof::inline harness_verbs_render

@@ -8,7 +8,7 @@
 
 #include "harness/verbs/scene_options.h"
 
-namespace photonproof::inline harness_verbs {
+namespace photonproof::inline harness_verbs_render {
 
 struct RenderArguments {
   SceneOptions scene;
@@ -19,12 +19,14 @@ struct RenderArguments {
   std::string indirect;  ///< of indirect_words; empty: the scene's
   std::optional<std::int64_t> spp, photons;
   std::optional<double> seconds, target_error;
+  std::optional<double> exposure;  ///< of a PNG, in stops
   std::uint64_t seed = 0;
   int threads = 0;
   int grid = 0;
   std::string sampler = "sobol";
   std::string view = "whole";
   std::string isa;
+  std::string progress = "auto";
   std::vector<std::string> no_skip;
   bool denoise = false;
   std::vector<int> crop;  ///< x, y, width, height; empty: the scene's
@@ -39,4 +41,4 @@ struct RenderArguments {
 /// not be denoised, 130 interrupted (partial results kept). Throws InputError.
 int run_render(const RenderArguments& arguments);
 
-}  // namespace photonproof::inline harness_verbs
+}  // namespace photonproof::inline harness_verbs_render

@@ -1,4 +1,4 @@
-#include "harness/verbs/render_json.h"
+#include "harness/verbs/render/render_json.h"
 
 #include <optional>
 #include <string>
@@ -7,7 +7,7 @@
 #include "renderer/core/version.h"
 #include "renderer/passes/aov.h"
 
-namespace photonproof::inline harness_verbs {
+namespace photonproof::inline harness_verbs_render {
 
 namespace {
 
@@ -66,4 +66,4 @@ nlohmann::ordered_json stats_json(const RenderArguments& arguments, const Render
           {"plan", plan_json(plan)}};
 }
 
-}  // namespace photonproof::inline harness_verbs
+}  // namespace photonproof::inline harness_verbs_render

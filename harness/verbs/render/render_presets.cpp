@@ -1,11 +1,11 @@
-#include "harness/verbs/render_presets.h"
+#include "harness/verbs/render/render_presets.h"
 
 #include <algorithm>
 #include <variant>
 
 #include "scenes/base/input_error.h"
 
-namespace photonproof::inline harness_verbs {
+namespace photonproof::inline harness_verbs_render {
 namespace {
 
 bool lets_light_through(const SceneDescription& scene, BsdfIndex index) {
@@ -63,4 +63,4 @@ const RenderPreset* preset_named(const std::string& name) {
   throw InputError("--preset", "there is no preset '" + name + "'");
 }
 
-}  // namespace photonproof::inline harness_verbs
+}  // namespace photonproof::inline harness_verbs_render

@@ -1,12 +1,14 @@
-#include "harness/verbs/render_run.h"
+#include "harness/verbs/render/render_run.h"
 
 #include <cstdio>
 #include <filesystem>
 
 #include "harness/verbs/engine_output.h"
 #include "harness/verbs/interrupt.h"
-#include "harness/verbs/render_json.h"
-#include "harness/verbs/render_presets.h"
+#include "harness/verbs/render/image_output.h"
+#include "harness/verbs/render/render_json.h"
+#include "harness/verbs/render/render_presets.h"
+#include "harness/verbs/usage/progress.h"
 #include "renderer/api/render_identity.h"
 #include "renderer/api/render_scene.h"
 #include "renderer/denoising/oidn_library.h"
@@ -18,7 +20,7 @@
 #include "scenes/description/output_files.h"
 #include "scenes/files/atomic_file.h"
 
-namespace photonproof::inline harness_verbs {
+namespace photonproof::inline harness_verbs_render {
 namespace {
 
 namespace fs = std::filesystem;
@@ -34,7 +36,7 @@ struct Task {
   }
 };
 
-RenderRequest request_of(const RenderArguments& arguments) {
+RenderRequest request_of(const RenderArguments& arguments, Progress& progress) {
   RenderRequest request;
   request.integrator = arguments.integrator;
   for (const auto& word : indirect_words)
@@ -50,7 +52,7 @@ RenderRequest request_of(const RenderArguments& arguments) {
   if (const std::vector<int>& crop = arguments.crop; !crop.empty()) request.crop = {crop[0], crop[1], crop[2], crop[3]};
   if (arguments.denoise) request.denoise = DenoiseRequest{oidn_in_environment()};
   request.interrupt = &interrupt_flag();
-  request.progress = progress_line(arguments.quiet);
+  request.progress = progress.callback();
   request.warn = [](const SceneNote& note) {
     std::fprintf(stderr, "%s: warning: %s\n", note.where.c_str(), note.text.c_str());
   };
@@ -58,8 +60,8 @@ RenderRequest request_of(const RenderArguments& arguments) {
 }
 
 /// Throws InputError where one of `outputs` would replace a file that the scene is read from.
-Task read_task(const RenderArguments& arguments, const std::vector<fs::path>& outputs) {
-  Task task{load_scene(arguments.scene), request_of(arguments), {}};
+Task read_task(const RenderArguments& arguments, const std::vector<fs::path>& outputs, Progress& progress) {
+  Task task{load_scene(arguments.scene), request_of(arguments, progress), {}};
   if (!outputs.empty()) prepare_outputs(outputs, scene_inputs(task.scene));
   const RenderPreset* preset = preset_named(arguments.preset);
   if (preset == nullptr) return task;
@@ -75,7 +77,8 @@ Task read_task(const RenderArguments& arguments, const std::vector<fs::path>& ou
 
 int print_plan(const RenderArguments& arguments) {
   if (arguments.resume) throw InputError("--resume", "does nothing with --plan, which renders nothing");
-  const Task task = read_task(arguments, {});
+  Progress progress("none");
+  const Task task = read_task(arguments, {}, progress);
   RenderPlan plan = plan_scene(task.scene, task.request);
   task.note_preset(plan);
   std::printf("%s", arguments.json ? (json_text(plan_json(plan)) + "\n").c_str() : plan_text(plan).c_str());
@@ -130,23 +133,27 @@ int outcome(const RenderArguments& arguments, const Rendered& rendered, const fs
 }
 
 int render_to_files(const RenderArguments& arguments) {
-  if (arguments.output.empty()) throw InputError("--output", "is required, as the EXR to write");
-  const std::string stats_path = checked_stats_path(arguments.stats_path, arguments.output, arguments.scene.path);
+  if (arguments.output.empty()) throw InputError("--output", "is required, as the image to write");
+  if (output_format(arguments.output) != ImageFormat::png && arguments.exposure)
+    throw InputError("--exposure", "is for a PNG, but " + arguments.output + " has the radiance itself");
+  const std::string stats_path = stats_path_beside(arguments.stats_path, arguments.output, arguments.scene.path);
   const fs::path checkpoint = arguments.output + ".checkpoint";
   for (const fs::path& file : {fs::path(arguments.output), fs::path(stats_path)}) remove_abandoned_temporaries(file);
 
   const Timer timer;
-  Task task = read_task(arguments, {arguments.output, stats_path, checkpoint});
+  Progress progress(arguments.quiet ? "none" : arguments.progress);
+  Task task = read_task(arguments, {arguments.output, stats_path, checkpoint}, progress);
   const double load_seconds = timer.seconds();
   task.request.checkpoint = CheckpointPolicy{checkpoint, arguments.checkpoint_seconds, arguments.resume, {}};
   Rendered rendered = render_scene(task.scene, task.request);
+  progress.clear();
   task.note_preset(rendered.plan);
   RenderStats& stats = rendered.stats;
   stats.phases["load"] = load_seconds;
 
   rendered.image.metadata["photonproof:command"] = command_line(arguments, rendered);
   const Timer write_timer;
-  write_exr(arguments.output, rendered.image);
+  write_image(arguments.output, rendered.image, arguments.exposure.value_or(0));
   stats.phases["write"] = write_timer.seconds();
   const nlohmann::ordered_json json = stats_json(arguments, rendered);
   write_file_atomically(stats_path, json_text(json) + "\n");
@@ -164,4 +171,4 @@ int run_render(const RenderArguments& arguments) {
   return arguments.plan ? print_plan(arguments) : render_to_files(arguments);
 }
 
-}  // namespace photonproof::inline harness_verbs
+}  // namespace photonproof::inline harness_verbs_render
