@@ -7,8 +7,8 @@
 namespace photonproof::inline harness_verbs {
 
 /// The stats file that goes with `image`: `asked`, or beside it with the extension .stats.json. Called before the work
-/// begins: throws InputError when either file could not be written, or would replace the scene or the other one, or
-/// where the image's name is not of an EXR.
+/// begins. Throws InputError when either file could not be written, or would replace the scene or the other one. The
+/// same where the image's name does not end in .exr.
 std::string checked_stats_path(const std::string& asked, const std::string& image, const std::string& scene);
 /// The same for an image of another format, whose name the caller has checked.
 std::string stats_path_beside(const std::string& asked, const std::string& image, const std::string& scene);

@@ -42,7 +42,7 @@ ViewedImage viewed(const std::string& file) {
   return made;
 }
 
-/// "relMSE 0.0012, bias -0.3 %", or the reason why there is none.
+/// "bias -0.3 %, relMSE 0.0012", or the reason why there is none.
 std::string error_text(const Image& reference, const Image& test) {
   if (const auto defects = find_defects(reference, test); !defects.empty()) return defects.front().sentence;
   std::string text;

@@ -80,10 +80,12 @@ void set_correctness(data& object, const CorrectnessRecord& record) {
 
 namespace {
 
-data race_data(const RaceTable::Row& row, const RaceRecord& race, std::size_t engines) {
+data race_data(const RaceTable::Row& row, const RaceRecord& race, const std::vector<std::string>& engines) {
   data item, cells(data::type::list);
-  for (const RaceTable::Cell& cell : row.cells) {
+  for (std::size_t i = 0; i < row.cells.size(); ++i) {
+    const RaceTable::Cell& cell = row.cells[i];
     data entry;
+    entry.set("engine", printable(engines[i]));
     entry.set("time", cell.time);
     entry.set("ratio", text_or_false(cell.ratio));
     entry.set("best", cell.best);
@@ -95,7 +97,7 @@ data race_data(const RaceTable::Row& row, const RaceRecord& race, std::size_t en
   item.set("equal_time", text_or_false(printable(equal_time_text(race))));
   item.set("judged", row.undecided.empty());
   item.set("undecided", printable(row.undecided));
-  item.set("width", std::to_string(engines + 1));
+  item.set("width", std::to_string(engines.size() + 1));
   item.set("cells", cells);
   return item;
 }
@@ -106,7 +108,7 @@ void set_races(data& page, const View& view) {
   const RaceTable table = race_table(view);
   data races(data::type::list);
   for (std::size_t i = 0; i < table.rows.size(); ++i) {
-    data item = race_data(table.rows[i], *view.races[i], table.engines.size());
+    data item = race_data(table.rows[i], *view.races[i], table.engines);
     item.set("href", scene_id(view, view.races[i]->scene));
     races.push_back(item);
   }

@@ -5,6 +5,7 @@
 #include "reports/page/html_conclusions.h"
 #include "reports/page/html_data.h"
 #include "reports/page/html_scene.h"
+#include "reports/page/html_strip.h"
 #include "reports/page/page_parts.h"
 #include "reports/page/templates.h"
 #include "reports/view/environment.h"
@@ -88,6 +89,7 @@ void write_html_report(const Results& results, const std::filesystem::path& resu
   set_header(page, results, view);
   set_glance(page, view);
   set_races(page, view);
+  set_strip(page, view, results_folder);
   set_failures(page, view);
   set_columns(page, view);
   set_gates(page, view.gates, false);

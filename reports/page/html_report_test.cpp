@@ -69,8 +69,8 @@ TEST(HtmlReport, refers_to_nothing_outside_itself) {
 
 TEST(HtmlReport, every_picture_has_a_text) {
   const std::string html = html_of(sample_results());
-  EXPECT_EQ(count(html, "<img"), 6u);  // reference, image and two maps; thumbnails of the first two
-  EXPECT_EQ(count(html, "alt=\""), 6u);
+  EXPECT_EQ(count(html, "<img"), 9u);  // reference, image and two maps; thumbnails of the first two; three on top
+  EXPECT_EQ(count(html, "alt=\""), 9u);
   EXPECT_EQ(count(html, "alt=\"\""), 0u);
 }
 

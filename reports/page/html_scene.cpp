@@ -24,9 +24,9 @@ namespace {
 using kainjow::mustache::data;
 namespace fs = std::filesystem;
 
-// A page of ten scenes stays below 5 MB: 10 x 485 kB leave 150 kB for style, script and the parts about all scenes.
+// A page of ten scenes stays below 5 MB: 10 x 460 kB leave 400 kB for style, script and the parts about all scenes.
 // Pictures use what a scene's text leaves, as long as they stay recognisable.
-constexpr std::size_t scene_bytes = 485'000, most_picture_bytes = 460'000, least_picture_bytes = 80'000;
+constexpr std::size_t scene_bytes = 460'000, most_picture_bytes = 435'000, least_picture_bytes = 80'000;
 constexpr double share_of_gallery = 0.4;
 // Above this number of measurements their details are packed: 2 kB of text each become 0.2 kB.
 constexpr std::size_t most_open_details = 60;

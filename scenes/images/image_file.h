@@ -1,6 +1,6 @@
-// The interface of image.cpp to readers of image files: OpenEXR, libpng, our own of PFM, and OpenImageIO for all others.
-// OpenImageIO brings more than 200 shared libraries, which take longer to load than a small scene to render. So it is
-// in a module, image_formats.cpp, that is loaded at the first file of another format.
+// The interface of image.cpp to readers of image files: OpenEXR, libpng, our own of PFM, and OpenImageIO for all
+// others. OpenImageIO brings more than 200 shared libraries, which take longer to load than a small scene to render. So
+// it is in a module, image_formats.cpp, that is loaded at the first file of another format.
 #pragma once
 
 #include <cstdint>

@@ -9,7 +9,7 @@ namespace photonproof::inline harness_verbs_render {
 
 enum class ImageFormat { exr, pfm, png };
 
-/// By the name's ending .exr, .pfm or .png, in small letters. Throws InputError for any other.
+/// The format of a name that ends in .exr, .pfm or .png, in small letters. Throws InputError for any other.
 ImageFormat output_format(const std::string& name);
 
 /// An EXR has all that there is. A PFM has the mean alone. A PNG has 2^exposure times the mean in 8 bits of sRGB. Of an

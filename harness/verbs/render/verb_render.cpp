@@ -121,7 +121,6 @@ void add_render_verb(CLI::App& program, int& exit_code) {
                 .examples = {"photonproof render scenes/library/cornell/scene.xml -o cornell.exr",
                              "photonproof render scenes/library/caustic-glass/scene.xml -o glass.exr "
                              "--integrator photonmapper --seconds 30",
-                             "photonproof render scenes/library/cornell/scene.xml -o cornell.png --exposure 1",
                              "photonproof render scenes/library/cornell/scene.xml --plan"},
                 .exit_codes = {done,
                                {1, "done, but some values are not finite, or the image is not denoised"},

@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <cmath>
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
@@ -26,10 +27,7 @@ std::string line_of(const nlohmann::ordered_json& object) {
 }  // namespace
 
 void add_progress_option(CLI::App& verb, std::string& mode) {
-  verb.add_option(
-          "--progress", mode,
-          "how far it is, on standard error: a line that rewrites itself, a log of a line a minute, JSON a line "
-          "or none; auto is line on a terminal, else log")
+  verb.add_option("--progress", mode, "how to tell what goes on: auto is line on a terminal, else log, a line a minute")
       ->check(one_of({"auto", "line", "log", "json", "none"}))
       ->capture_default_str();
 }
@@ -135,12 +133,13 @@ std::string Progress::text(const ProgressStep& step) const {
 
 void Progress::write_json(const ProgressStep& step) {
   const bool known = step.total > 0;
-  const nlohmann::ordered_json object = {{"seconds", seconds_()},
-                                         {"done", step.unit.empty() ? or_null(std::nullopt) : or_null(step.done)},
-                                         {"total", step.unit.empty() ? or_null(std::nullopt) : or_null(step.total)},
-                                         {"fraction", known ? or_null(step.done / step.total) : or_null(std::nullopt)},
-                                         {"seconds_left", or_null(seconds_left(step))},
-                                         {"phase", printable(step.phase)}};
+  const nlohmann::ordered_json object = {
+      {"seconds", seconds_()},
+      {"done", step.unit.empty() ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(std::llround(step.done))},
+      {"total", step.unit.empty() ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(std::llround(step.total))},
+      {"fraction", known ? or_null(step.done / step.total) : or_null(std::nullopt)},
+      {"seconds_left", or_null(seconds_left(step))},
+      {"phase", printable(step.phase)}};
   std::fprintf(stderr, "%s\n", line_of(object).c_str());
 }
 
