@@ -2,6 +2,7 @@
 // Exit codes are the program's: 0 done, 2 bad input or usage.
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -27,6 +28,9 @@ struct ReportOptions {
   std::string results;
   std::vector<std::string> formats;
   std::string output;
+  std::string methods = "rows";
+  PaperOptions paper;
+  std::vector<std::string> given;  ///< options of formats for papers
   bool json = false;
 };
 
@@ -66,6 +70,20 @@ void note_replaced_images(Results& results, const fs::path& folder) {
   }
 }
 
+/// Throws InputError if an option of one format was given without this format.
+void check_options(const ReportOptions& options, const std::vector<const ReportFormat*>& formats) {
+  for (const std::string& option : options.given) {
+    const auto reads = [&](const ReportFormat& format) {
+      return format.options.find(" " + option + " ") != std::string_view::npos;
+    };
+    std::string known;
+    for (const ReportFormat& format : report_formats())
+      if (reads(format)) known += (known.empty() ? "" : ", ") + std::string(format.name);
+    if (std::ranges::none_of(formats, [&](const ReportFormat* format) { return reads(*format); }))
+      throw InputError(option, "needs --format " + known);
+  }
+}
+
 void write_reports(const ReportOptions& options) {
   std::vector<const ReportFormat*> formats;
   for (const std::string& name : options.formats) formats.push_back(&report_format(name));
@@ -75,6 +93,7 @@ void write_reports(const ReportOptions& options) {
   }
   if (options.output.empty() && (options.results.starts_with("/dev/") || options.results.starts_with("/proc/")))
     throw InputError(options.results, "cannot have a report beside it: name the report with -o");
+  check_options(options, formats);
   Results results = read_results(options.results);
   const fs::path folder = folder_of(options.results);
   note_replaced_images(results, folder);
@@ -87,7 +106,7 @@ void write_reports(const ReportOptions& options) {
   for (std::size_t i = 0; i < formats.size(); ++i) {
     const ReportFormat* format = formats[i];
     const fs::path& out = outputs[i];
-    format->write(results, folder, out);
+    format->write(results, folder, out, options.paper);
     if (options.json) {
       written.push_back({{"format", format->name}, {"file", out.string()}});
     } else {
@@ -95,6 +114,17 @@ void write_reports(const ReportOptions& options) {
     }
   }
   if (options.json) std::printf("%s\n", json_text(nlohmann::json{{"written", written}}).c_str());
+}
+
+void add_paper_options(CLI::App& verb, ReportOptions& options) {
+  verb.add_option("--methods", options.methods, "side of LaTeX tables that has the methods: rows (default) or columns")
+      ->type_name("rows|columns")
+      ->check(CLI::IsMember({"rows", "columns"}));
+  verb.add_option("--table", options.paper.tables,
+                  "LaTeX tables to write (default: all): races, equal-time, errors, points, slopes, gates")
+      ->delimiter(',')
+      ->type_name("NAME,...")
+      ->allow_extra_args(false);
 }
 
 }  // namespace
@@ -119,8 +149,12 @@ void add_report_verb(CLI::App& program, int& exit_code) {
       ->allow_extra_args(false);
   verb->add_option("-o,--output", options->output,
                    "file to write, with one format (default: report.html, report.md ... beside the record)");
+  add_paper_options(*verb, *options);
   verb->add_flag("--json", options->json, "print what was written as JSON");
-  verb->callback([options, &exit_code] {
+  verb->callback([verb, options, &exit_code] {
+    for (const char* name : {"--methods", "--table"})
+      if (verb->count(name) > 0) options->given.push_back(name);
+    options->paper.methods = options->methods == "columns" ? MethodsSide::columns : MethodsSide::rows;
     write_reports(*options);
     exit_code = 0;
   });

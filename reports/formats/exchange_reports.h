@@ -12,9 +12,9 @@ namespace photonproof::inline reports_formats {
 void write_csv_report(const Results& results, const std::filesystem::path& results_folder,
                       const std::filesystem::path& out);
 
-/// LaTeX tables for \input, which need the package booktabs.
-void write_latex_report(const Results& results, const std::filesystem::path& results_folder,
-                        const std::filesystem::path& out);
+/// One row per scene, engine and budget, with a column for each number over seeds (wide_csv_report.cpp lists them).
+void write_wide_csv_report(const Results& results, const std::filesystem::path& results_folder,
+                           const std::filesystem::path& out);
 
 /// JUnit XML by Jenkins' junit-10.xsd: one testsuite per scene, one testcase per gate, change or cell.
 void write_junit_report(const Results& results, const std::filesystem::path& results_folder,

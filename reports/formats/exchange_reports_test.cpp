@@ -8,7 +8,7 @@
 #include <sstream>
 
 #include "reports/formats/formats.h"
-#include "reports/view/test_sample_results.h"
+#include "reports/view/test_hostile_results.h"
 #include "scenes/base/process.h"
 
 namespace photonproof::inline reports_formats {
@@ -21,37 +21,6 @@ std::string written(const char* format, const Results& results) {
   const TemporaryFolder folder;
   report_format(format).write(results, folder.path(), folder.path() / "out");
   return file_text(folder.path() / "out");
-}
-
-/// Replaces every text of the record by `evil`; names keep a distinct part.
-Results hostile(const std::string& evil) {
-  Results results = sample_conclusions();
-  results.suite = results.command = results.created = evil;
-  for (SceneRecord& scene : results.scenes) {
-    const std::string old = scene.name;
-    scene.name += evil;
-    for (Result& result : results.results) {
-      if (result.cell.scene == old) result.cell.scene = scene.name;
-    }
-    for (GateRecord& gate : results.gates) {
-      if (gate.scene == old) gate.scene = scene.name;
-    }
-  }
-  for (Result& result : results.results) {
-    result.detail = result.command = evil;
-    result.cell.engine += evil;
-    result.cell.budget.kind += evil;
-    result.metrics.push_back({evil, 1, evil});
-    result.counts[evil] = 1;
-  }
-  for (GateRecord& gate : results.gates) {
-    gate.name += evil;
-    gate.metric = gate.sentence = gate.command = evil;
-    for (FailingTile& tile : gate.tiles) tile.sentence = evil;
-  }
-  for (ChangeRecord& change : results.changes) change.sentence = change.quantity = evil;
-  for (Convergence& curve : results.convergence) curve.engine += evil;
-  return results;
 }
 
 /// RFC 4180: rows of cells.
@@ -98,103 +67,27 @@ TEST(CsvReport, every_row_has_every_column_and_numbers_come_back_exactly) {
   EXPECT_GT(rows.size(), 40u);
 }
 
+TEST(WideCsvReport, reads_like_its_snapshot) {
+  expect_snapshot("sample.wide.csv", written("csv-wide", sample_conclusions()));
+}
+
+TEST(WideCsvReport, every_row_has_every_column_and_budgets_have_their_mean) {
+  Results results = sample_results();
+  results.results.push_back(finished("box", "photon", {"photons", 2000}, 2, 0.1));  // beside seed 1 with 0.05
+  const auto rows = parsed_csv(written("csv-wide", results));
+  ASSERT_EQ(rows.size(), 1u + 4u);  // photon's two budgets of box, povray's finished one, photon's of hole
+  for (const auto& row : rows) EXPECT_EQ(row.size(), rows[0].size());
+  const auto column = std::ranges::find(rows[0], "relmse") - rows[0].begin();
+  EXPECT_EQ(rows[1][3], "2000");
+  EXPECT_EQ(rows[1][4], "2");
+  EXPECT_NEAR(std::stod(rows[1][static_cast<std::size_t>(column)]), 0.075, 1e-12);
+}
+
 TEST(CsvReport, no_text_is_a_spreadsheets_formula) {
   for (const auto& row : parsed_csv(written("csv", hostile("=HYPERLINK(1)")))) {
     for (const std::size_t text : {0u, 1u, 2u, 3u, 4u, 7u, 11u, 12u}) {
       EXPECT_TRUE(row[text].empty() || std::string("=+-@").find(row[text].front()) == std::string::npos) << row[text];
     }
-  }
-}
-
-TEST(LatexReport, reads_like_its_snapshot) { expect_snapshot("sample.tex", written("latex", sample_conclusions())); }
-
-/// Occurrences of `what` after an even number of backslashes.
-std::size_t unescaped(const std::string& text, char what) {
-  std::size_t n = 0;
-  bool escaped = false;
-  for (const char c : text) {
-    if (c == what && !escaped) ++n;
-    escaped = c == '\\' && !escaped;
-  }
-  return n;
-}
-
-TEST(LatexReport, rows_are_whole_and_text_of_the_record_is_no_command) {
-  const std::string text = written("latex", hostile("\\input{x} $a_b^c$ 100% #1 & ~ } \\"));
-  EXPECT_EQ(count(text, "\\input"), 3u);  // inside the comments at the top, where it does nothing
-  EXPECT_EQ(count(text, "\\textbackslash{}input\\{x\\}"), count(text, "textbackslash{}input"));
-  std::istringstream lines(text);
-  std::string line;
-  std::size_t columns = 0, rows = 0;
-  while (std::getline(lines, line)) {
-    if (line.rfind('%', 0) == 0) continue;
-    EXPECT_EQ(unescaped(line, '{'), unescaped(line, '}')) << line;
-    EXPECT_EQ(unescaped(line, '$') % 2, 0u) << line;
-    EXPECT_EQ(unescaped(line, '#') + unescaped(line, '%') + unescaped(line, '~'), 0u) << line;
-    std::smatch match;
-    if (std::regex_search(line, match, std::regex(R"(begin\{tabular\}\{([lr]+)\})"))) columns = match[1].length();
-    if (line.ends_with(" \\\\")) {
-      EXPECT_EQ(unescaped(line, '&'), columns - 1) << line;
-      ++rows;
-    }
-  }
-  // Four heads. Three visible cells of box and one of hole, as no label names the reference any more. Two points; one
-  // slope with each of two targets. Three gates.
-  EXPECT_EQ(rows, 4u + 4u + 2u + 2u + 3u);
-}
-
-/// Symbols that reports write, and what a name may hold: é has a command, the two Chinese characters have none.
-constexpr const char* symbols =
-    "− × · ± ≤ ≥ ≈ ≠ √ ∞ → ← ↑ ↓ α ρ σ χ µ ° † – — … ’ “ ” \u202F 10⁻³ é \u4E2D\u6587 ✓ ✕ ▲";
-
-// pdflatex stops at an unknown character or leaves it out, and then a bound reads as a value.
-TEST(LatexReport, is_ascii_and_loses_no_symbol) {
-  const std::string text = written("latex", hostile(symbols));
-  const auto other = std::ranges::find_if(text, [](unsigned char c) { return c >= 0x80; });
-  EXPECT_EQ(other, text.end()) << text.substr(static_cast<std::size_t>(other - text.begin()), 20);
-  for (const char* set : {"$\\leq$", "$\\approx$", "$\\neq$", "$\\dagger$", "\\'{e}", "[U+4E2D][U+6587]", "[U+2713]"})
-    EXPECT_GT(count(text, set), 0u) << set;
-}
-
-TEST(LatexReport, time_that_is_only_a_bound_stays_one) {
-  Results results = sample_conclusions();
-  for (Convergence& curve : results.convergence)
-    for (TargetTime& target : curve.targets) {
-      target = {};
-      target.relmse = 0.01;
-      target.at_most = 0.5;
-    }
-  EXPECT_GT(count(written("latex", results), " & $\\leq$ 0.500 \\\\"), 0u);
-}
-
-TEST(LatexReport, header_names_the_clock_of_its_times) {
-  Results results = sample_conclusions();
-  const std::string by_wall = written("latex", results);
-  EXPECT_EQ(count(by_wall, "& Median wall s &"), 1u);
-  EXPECT_EQ(count(by_wall, "& s to target"), 1u);
-  for (Convergence& curve : results.convergence) curve.clock = Clock::processor;
-  const std::string by_processor = written("latex", results);
-  EXPECT_EQ(count(by_processor, "& Median CPU s &"), 1u);
-  EXPECT_EQ(count(by_processor, "& CPU s to target"), 1u);
-  EXPECT_EQ(count(by_processor, "Median wall"), 0u);
-}
-
-TEST(LatexReport, caption_has_the_title_and_the_label_the_name) {
-  Results results = sample_conclusions();
-  results.title = "A title of its own";
-  const std::string text = written("latex", results);
-  EXPECT_GT(count(text, "\\caption{A title of its own: "), 1u);
-  EXPECT_GT(count(text, "\\label{tab:sample-"), 1u);
-}
-
-// "\\\\" and \midrule take what is in brackets, and "\\\\" a star, for their own argument.
-TEST(LatexReport, cell_that_begins_with_a_bracket_or_a_star_is_text) {
-  for (const char* name : {"[box]", "*box"}) {
-    Results results = sample_conclusions();
-    for (Convergence& curve : results.convergence) curve.scene = name;
-    const std::string text = written("latex", results);
-    EXPECT_EQ(count(text, "\n  " + std::string(1, name[0])), 0u) << text;
-    EXPECT_GT(count(text, "\n  {" + std::string(1, name[0]) + "}"), 0u);
   }
 }
 
@@ -389,7 +282,6 @@ TEST(ExchangeReports, an_empty_record_is_still_a_file_of_its_kind) {
   pugi::xml_document document;
   ASSERT_TRUE(document.load_string(written("junit", Results{}).c_str()));
   expect_valid(document.document_element());
-  EXPECT_EQ(count(written("latex", Results{}), "\\begin"), 0u);
 }
 
 }  // namespace

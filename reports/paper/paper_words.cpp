@@ -1,0 +1,63 @@
+#include "reports/paper/paper_words.h"
+
+#include <algorithm>
+
+#include "scenes/base/input_error.h"
+
+namespace photonproof::inline reports_paper {
+using namespace reports;
+
+namespace {
+
+std::string capitalised(std::string text) {
+  if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 'a' + 'A');
+  return text;
+}
+
+}  // namespace
+
+std::string scene_title(const std::string& name) {
+  std::string title = name;
+  std::ranges::replace(title, '-', ' ');
+  std::ranges::replace(title, '_', ' ');
+  return capitalised(title);
+}
+
+std::vector<std::string> method_titles(const View& view) {
+  constexpr std::string_view own = "photonproof ";
+  std::vector<std::string> titles;
+  for (const EngineRecord& engine : view.engines) {
+    const std::string_view title = engine.title.empty() ? engine.name : engine.title;
+    titles.push_back(capitalised(std::string(title.starts_with(own) ? title.substr(own.size()) : title)));
+  }
+  std::vector<std::string> unique = titles;
+  for (std::size_t i = 0; i < titles.size(); ++i)
+    if (std::ranges::count(titles, titles[i]) > 1) unique[i] = view.engines[i].name;
+  return unique;
+}
+
+std::string method_title(const View& view, const std::string& name) {
+  const std::size_t index = engine_index(view, name);
+  return index < view.engines.size() ? method_titles(view)[index] : name;
+}
+
+std::string clock_text(Clock clock) {
+  return clock == Clock::wall ? "wall-clock seconds" : "processor seconds of all threads";
+}
+
+Clock clock_of(const View& view) {
+  for (const SceneView& scene : view.scenes)
+    if (!scene.curves.empty()) return scene.curves.front()->clock;
+  return Clock::wall;
+}
+
+const SceneView& scene_of(const View& view, const std::string& name) {
+  std::string known;
+  for (const SceneView& scene : view.scenes) {
+    if (scene.record.name == name) return scene;
+    known += (known.empty() ? "" : ", ") + scene.record.name;
+  }
+  throw InputError("--scene", "the record has no scene " + name + "; it has " + (known.empty() ? "none" : known));
+}
+
+}  // namespace photonproof::inline reports_paper
