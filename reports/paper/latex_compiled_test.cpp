@@ -27,9 +27,10 @@ std::string document(const std::string& name, const std::string& tables) {
   if (name == "article")
     return "\\documentclass[a4paper,twocolumn]{article}\\usepackage{booktabs}\n\\begin{document}\n" + tables +
            "\\end{document}\n";
+  // acmart balances the columns of the last page, and cannot do so with floats: text follows, as in a paper.
   if (name == "acmart")
-    return "\\documentclass[sigconf,nonacm]{acmart}\n\\begin{document}\\title{T}\\author{A}\\maketitle\n" + tables +
-           "\\end{document}\n";
+    return "\\documentclass[sigconf,nonacm]{acmart}\n\\begin{document}\\title{T}\\author{A}\\maketitle Text.\n" + tables +
+           "\\clearpage Text.\\end{document}\n";
   std::string slides;
   for (std::size_t at = tables.find("\\begin{table}"); at != std::string::npos;) {
     const std::size_t next = tables.find("\\begin{table}", at + 1);
