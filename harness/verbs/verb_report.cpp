@@ -29,6 +29,7 @@ struct ReportOptions {
   std::vector<std::string> formats;
   std::string output;
   std::string methods = "rows";
+  std::vector<int> insets;  ///< four numbers for each
   PaperOptions paper;
   std::vector<std::string> given;  ///< options of formats for papers
   bool json = false;
@@ -125,6 +126,12 @@ void add_paper_options(CLI::App& verb, ReportOptions& options) {
       ->delimiter(',')
       ->type_name("NAME,...")
       ->allow_extra_args(false);
+  verb.add_option("--scene", options.paper.scene, "the only scene to plot, or the scene of a figure")->type_name("NAME");
+  verb.add_option("--inset", options.insets, "crop of a figure in pixels: left, top, width and height; repeatable")
+      ->type_size(4)
+      ->type_name("X Y W H")
+      ->expected(1)
+      ->take_all();
 }
 
 }  // namespace
@@ -152,9 +159,12 @@ void add_report_verb(CLI::App& program, int& exit_code) {
   add_paper_options(*verb, *options);
   verb->add_flag("--json", options->json, "print what was written as JSON");
   verb->callback([verb, options, &exit_code] {
-    for (const char* name : {"--methods", "--table"})
+    for (const char* name : {"--methods", "--table", "--scene", "--inset"})
       if (verb->count(name) > 0) options->given.push_back(name);
     options->paper.methods = options->methods == "columns" ? MethodsSide::columns : MethodsSide::rows;
+    for (std::size_t i = 0; i + 3 < options->insets.size(); i += 4)
+      options->paper.insets.push_back(
+          {options->insets[i], options->insets[i + 1], options->insets[i + 2], options->insets[i + 3]});
     write_reports(*options);
     exit_code = 0;
   });

@@ -95,7 +95,8 @@ TEST_F(ReportVerb, an_unknown_format_is_refused_before_anything_is_written) {
   EXPECT_EQ(complaint([&] {
               run({path("results.json"), "--format", "html,pdf"});
             }),
-            "word: error: no such report format; there are html, markdown, csv, csv-wide, latex, junit, gbench, bencher");
+            "word: error: no such report format; there are html, markdown, csv, csv-wide, latex, "
+            "pgfplots, svg, pdf, figure, junit, gbench, bencher");
   EXPECT_FALSE(fs::exists(folder_ / "report.html"));
 }
 

@@ -25,7 +25,8 @@ TEST(Formats, an_unknown_one_names_those_there_are) {
     FAIL() << "no error";
   } catch (const InputError& error) {
     EXPECT_EQ(error.summary(),
-              "word: error: no such report format; there are html, markdown, csv, csv-wide, latex, junit, gbench, bencher");
+              "word: error: no such report format; there are html, markdown, csv, csv-wide, latex, "
+            "pgfplots, svg, pdf, figure, junit, gbench, bencher");
   }
 }
 

@@ -27,6 +27,7 @@ ErrorPlot plot_of_curves(const View& view, const SceneView& scene) {
     for (const TargetTime& target : curve->targets)
       if (drawable(target.relmse)) plot.targets.push_back(target.relmse);
     PlotSeries series{engine_index(view, curve->engine), {}};
+    if (curve->slope) series.slope = curve->slope->value;
     for (const ConvergencePoint& point : curve->points) {
       if (!drawable(point.seconds.value) || !point.relmse || !drawable(point.relmse->value)) {
         ++plot.left_out;

@@ -21,6 +21,7 @@ struct PlotPoint {
 struct PlotSeries {
   std::size_t engine = 0;         ///< index into View::engines, decides colour and marker
   std::vector<PlotPoint> points;  ///< positive and finite, by budget
+  std::optional<double> slope{};  ///< of the harness's least squares line of log relMSE on log seconds
 };
 
 struct ErrorPlot {
