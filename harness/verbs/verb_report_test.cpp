@@ -93,11 +93,38 @@ TEST_F(ReportVerb, one_file_cannot_hold_two_formats) {
 
 TEST_F(ReportVerb, an_unknown_format_is_refused_before_anything_is_written) {
   EXPECT_EQ(complaint([&] {
-              run({path("results.json"), "--format", "html,pdf"});
+              run({path("results.json"), "--format", "html,word"});
             }),
             "word: error: no such report format; there are html, markdown, csv, csv-wide, latex, "
             "pgfplots, svg, pdf, figure, junit, gbench, bencher");
   EXPECT_FALSE(fs::exists(folder_ / "report.html"));
+}
+
+TEST_F(ReportVerb, an_option_needs_a_format_that_reads_it) {
+  const std::pair<std::vector<std::string>, const char*> cases[] = {
+      {{"--methods", "columns"}, "--methods: error: needs --format latex"},
+      {{"--table", "races"}, "--table: error: needs --format latex"},
+      {{"--scene", "box"}, "--scene: error: needs --format pgfplots, svg, pdf, figure"},
+      {{"--inset", "1", "2", "3", "4"}, "--inset: error: needs --format figure"}};
+  for (const auto& [options, expected] : cases) {
+    std::vector<std::string> arguments{path("results.json"), "--format", "csv"};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    EXPECT_EQ(complaint([&] { run(arguments); }), expected);
+  }
+  EXPECT_FALSE(fs::exists(folder_ / "report.csv"));
+}
+
+TEST_F(ReportVerb, an_inset_is_four_numbers_and_methods_are_one_of_two_words) {
+  EXPECT_THROW(run({path("results.json"), "--format", "figure", "--inset", "1", "2", "3"}), CLI::ParseError);
+  EXPECT_THROW(run({path("results.json"), "--format", "latex", "--methods", "sideways"}), CLI::ParseError);
+}
+
+TEST_F(ReportVerb, a_plot_of_nothing_is_refused_and_not_written) {
+  EXPECT_EQ(complaint([&] {
+              run({path("results.json"), "--format", "pgfplots", "-o", path("plot.tex")});
+            }),
+            "the record: error: has no error above zero with a time, so there is nothing to plot");
+  EXPECT_FALSE(fs::exists(folder_ / "plot.tex"));
 }
 
 TEST_F(ReportVerb, a_missing_record_is_an_input_error) {

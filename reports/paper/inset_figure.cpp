@@ -12,6 +12,7 @@
 #include "reports/view/results_file.h"
 #include "reports/view/verdicts.h"
 #include "scenes/base/input_error.h"
+#include "scenes/files/file_checksum.h"
 
 namespace photonproof::inline reports_paper {
 using namespace reports;
@@ -103,10 +104,12 @@ std::vector<FigureColumn> figure_columns(const View& view, const SceneView& scen
     const std::string label = shown.cell.label();
     FigureColumn column{method_title(view, shown.cell.engine),
                         budget_text(shown.cell.budget) + ", " +
-                            or_dash(shown.wall_seconds, [](double v) { return significant(v); }) + " s",
+                            or_dash(shown.wall_seconds, [](double v) { return significant(v); }) + " s wall",
                         "relMSE " + or_dash(metric(shown, "relmse"), [](double v) { return significant(v); }) +
                             doubt_mark(scene),
                         read_inside(folder, shown.image, label)};
+    if (!shown.image_checksum.empty() && file_checksum(folder / shown.image) != shown.image_checksum)
+      throw InputError(label, "its image " + shown.image + " is not the one that was measured");
     if (column.image.width != last.image.width || column.image.height != last.image.height)
       throw InputError(label, "has another size than the reference");
     for (const Inset& inset : insets) column.crop_relmse.push_back(crop_relmse(column.image, last.image, inset));

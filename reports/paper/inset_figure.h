@@ -15,14 +15,15 @@ namespace photonproof::inline reports_paper {
 /// A column of the figure.
 struct FigureColumn {
   std::string title;
-  std::string budget;             ///< "64 spp, 1.25 s"; of the reference its engine and budget
+  std::string budget;             ///< "64 spp, 1.25 s wall"; of the reference its engine and budget
   std::string relmse;             ///< "relMSE 0.0123" of the whole image; empty for the reference
   Image image;                    ///< linear
   std::vector<double> crop_relmse{};  ///< of each crop, if it is not the reference
 };
 
 /// The finished images of a scene at each engine's largest budget; the reference is the last column. Throws InputError if
-/// an image is missing, is not inside `folder`, or has another size than the reference, and if a crop is not inside it.
+/// an image is missing, is not inside `folder`, is not the one that was measured, or has another size than the reference,
+/// and if a crop is not inside it.
 std::vector<FigureColumn> figure_columns(const reports::View& view, const reports::SceneView& scene,
                                          const std::filesystem::path& folder, const std::vector<Inset>& insets);
 

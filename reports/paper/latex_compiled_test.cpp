@@ -89,6 +89,18 @@ TEST(LatexCompiled, tables_fit_a_column_of_three_classes) {
   }
 }
 
+TEST(LatexCompiled, plots_fit_a_column_of_three_classes) {
+  if (!has_pdflatex() || !run_process({"kpsewhich", "pgfplots.sty"}).ok()) GTEST_SKIP() << packages;
+  const TemporaryFolder folder;
+  write_pgfplots_report(wide_results(), folder.path(), folder.path() / "out.tex", {});
+  const std::string plot = "\\usepackage{pgfplots}\\pgfplotsset{compat=1.16}\n";
+  for (const char* name : {"article", "acmart", "beamer"}) {
+    std::string text = document(name, "\\begin{table}\n" + file_text(folder.path() / "out.tex") + "\\end{table}\n");
+    text.insert(text.find("\\begin{document}"), plot);
+    EXPECT_EQ(problems_of(text), "") << name;
+  }
+}
+
 TEST(LatexCompiled, too_wide_a_table_is_found) {
   if (!has_pdflatex()) GTEST_SKIP() << packages;
   const std::string wide = "\\begin{table}\\begin{tabular}{l}" + std::string(90, 'x') + "\\end{tabular}\\end{table}\n";
