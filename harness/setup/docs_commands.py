@@ -23,7 +23,8 @@ skipped = 77
 number = r"[-+−±]?(?:\d+(?:[.,]\d+)*|\.\d+)(?:e[-+]?\d+)?"
 end_of_command = "<end of a command>"
 sources = ("scenes/library", "scenes/showcase", "harness/ci", "harness/courses", "harness/suites")
-needs = {"bwrap": ["bwrap", "--ro-bind", "/", "/", "true"], "povray": ["povray", "--version"]}
+needs = {"bwrap": ["bwrap", "--ro-bind", "/", "/", "true"], "povray": ["povray", "--version"],
+         "pdflatex": ["pdflatex", "--version"]}
 
 
 class Command:

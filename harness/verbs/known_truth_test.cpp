@@ -1,5 +1,5 @@
-// A record of known truth: one engine is exactly ten times as fast as another at equal error. Every format that tells of
-// races has to state this factor within its interval.
+// A record of known truth: one engine is exactly ten times as fast as another at equal error. Every format that tells
+// of races has to state this factor within its interval.
 #include <gtest/gtest.h>
 
 #include <cmath>

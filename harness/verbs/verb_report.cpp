@@ -126,7 +126,8 @@ void add_paper_options(CLI::App& verb, ReportOptions& options) {
       ->delimiter(',')
       ->type_name("NAME,...")
       ->allow_extra_args(false);
-  verb.add_option("--scene", options.paper.scene, "the only scene to plot, or the scene of a figure")->type_name("NAME");
+  verb.add_option("--scene", options.paper.scene, "the only scene to plot, or the scene of a figure")
+      ->type_name("NAME");
   verb.add_option("--inset", options.insets, "crop of a figure in pixels: left, top, width and height; repeatable")
       ->type_size(4)
       ->type_name("X Y W H")

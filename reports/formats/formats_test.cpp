@@ -26,7 +26,7 @@ TEST(Formats, an_unknown_one_names_those_there_are) {
   } catch (const InputError& error) {
     EXPECT_EQ(error.summary(),
               "word: error: no such report format; there are html, markdown, csv, csv-wide, latex, "
-            "pgfplots, svg, pdf, figure, junit, gbench, bencher");
+              "pgfplots, svg, pdf, figure, junit, gbench, bencher");
   }
 }
 

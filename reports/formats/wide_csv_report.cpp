@@ -2,10 +2,9 @@
 // spreadsheets and data frames that plot without a pivot. Columns of a row:
 //   seeds     finished cells
 //   clock     wall or processor, of `seconds`
-//   seconds, relmse       median and mean over seeds, with the ends of their 95 % intervals; means of cells without a curve
-//   bias2, variance       as in the tidy form
-//   verdict   right, noisy, biased or unknown; empty without one
-//   METRIC    mean over the finished cells, for each metric of the record
+//   seconds, relmse       median and mean over seeds, with the ends of their 95 % intervals; means of cells without a
+//   curve bias2, variance       as in the tidy form verdict   right, noisy, biased or unknown; empty without one METRIC
+//   mean over the finished cells, for each metric of the record
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -75,7 +74,8 @@ std::string row_of(const SceneView& scene, const Cells& cells, const std::vector
     seconds = point->seconds;
     relmse = point->relmse;
   } else {
-    if (const auto value = mean_of(cells, [](const Result& r) { return r.wall_seconds; })) seconds = Estimate{*value, {}};
+    if (const auto value = mean_of(cells, [](const Result& r) { return r.wall_seconds; }))
+      seconds = Estimate{*value, {}};
     if (const auto value = mean("relmse")) relmse = Estimate{*value, {}};
   }
   std::string row = csv_cell(cell.scene) + "," + csv_cell(cell.engine) + "," + csv_cell(cell.budget.kind) + "," +

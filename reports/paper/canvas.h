@@ -1,5 +1,5 @@
-// Draws a page of text, lines and pictures into an SVG, PDF or PNG file, by Cairo. Texts of SVG are outlines and fonts of
-// PDF are embedded, so that no reader needs a font. Lengths are in points (1/72 inch); y points down.
+// Draws a page of text, lines and pictures into an SVG, PDF or PNG file, by Cairo. Texts of SVG are outlines and fonts
+// of PDF are embedded, so that no reader needs a font. Lengths are in points (1/72 inch); y points down.
 #pragma once
 
 #include <array>

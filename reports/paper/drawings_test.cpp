@@ -76,16 +76,16 @@ TEST_F(Drawings, are_the_same_bytes_each_time) {
 TEST_F(Drawings, png_of_a_figure_has_the_images_colours_side_by_side) {
   write_inset_figure(figure_results(folder_.path()), folder_.path(), file("figure.png"), {.scene = "box"});
   const Image image = read_image(file("figure.png").string());
-  // Three columns of 96 pt and two gaps of 4 pt, and the last frame's half width.
-  EXPECT_NEAR(image.width, (3 * 96 + 2 * 4 + 1) * 300.0 / 72, 1);
+  // Three columns of 90 pt and two gaps of 4 pt, and the last frame's half width.
+  EXPECT_NEAR(image.width, (3 * 90 + 2 * 4 + 1) * 300.0 / 72, 1);
   const auto at = [&](double x_pt, double y_pt) {
     return image.pixel(static_cast<int>(x_pt * 300 / 72), static_cast<int>(y_pt * 300 / 72));
   };
-  EXPECT_NEAR(at(48, 78)[0], 0.5, 0.005);
-  EXPECT_NEAR(at(48, 78)[1], 0.5, 0.005);
-  EXPECT_EQ(at(148, 78)[0], 1);
-  EXPECT_EQ(at(148, 78)[1], 0);
-  EXPECT_EQ(at(248, 78)[1], 1);
+  EXPECT_NEAR(at(45, 75)[0], 0.5, 0.005);
+  EXPECT_NEAR(at(45, 75)[1], 0.5, 0.005);
+  EXPECT_EQ(at(139, 75)[0], 1);
+  EXPECT_EQ(at(139, 75)[1], 0);
+  EXPECT_EQ(at(233, 75)[1], 1);
 }
 
 TEST_F(Drawings, unwritable_place_is_an_input_error) {

@@ -18,7 +18,7 @@ using namespace reports;
 namespace {
 
 constexpr double figure_width = 496;  // the width of the text of two columns
-constexpr double overview_width = 118, gap = 4, widest_column = 96, head_height = 30, number_height = 10;
+constexpr double overview_width = 118, gap = 4, widest_column = 90, head_height = 30, number_height = 10;
 constexpr const char* frame_colors[] = {"D55E00", "0072B2", "009E73", "CC79A7", "E69F00"};
 
 const char* frame_color(std::size_t inset) { return frame_colors[inset % std::size(frame_colors)]; }
@@ -90,7 +90,7 @@ void draw_column(Canvas& canvas, const FigureColumn& column, const FigureColumn&
     canvas.polyline(rectangle(x, y, cell, height), {frame_color(i), 1.2, {}});
     y += height + gap;
     if (is_reference) {
-      draw_scale(canvas, x, y, cell, height);
+      if (i == 0) draw_scale(canvas, x, y, cell, height);
     } else {
       canvas.picture(x, y, cell, height, error_pixels(column.image, reference.image, insets[i]));
       canvas.text(middle, y + height + 8, "relMSE " + significant(column.crop_relmse[i]), {.size = 6.5, .align = 0.5});
@@ -128,8 +128,7 @@ void write_inset_figure(const Results& results, const std::filesystem::path& fol
   const double width = layout.left + count * layout.step() - gap + 1;
   draw_file(out, kind, width, height, results.created, [&](Canvas& canvas) {
     const double exposure = scene.record.exposure;
-    if (crops)
-      draw_overview(canvas, reference.image, insets, exposure, scene_title(scene.record.name));
+    if (crops) draw_overview(canvas, reference.image, insets, exposure, scene_title(scene.record.name));
     for (std::size_t c = 0; c < drawn.size(); ++c)
       draw_column(canvas, drawn[c], drawn.back(), insets, layout.left + static_cast<double>(c) * layout.step(),
                   layout.cell, exposure);

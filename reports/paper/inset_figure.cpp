@@ -102,12 +102,12 @@ std::vector<FigureColumn> figure_columns(const View& view, const SceneView& scen
     if (!outcome.shown) continue;
     const Result& shown = *outcome.shown;
     const std::string label = shown.cell.label();
-    FigureColumn column{method_title(view, shown.cell.engine),
-                        budget_text(shown.cell.budget) + ", " +
-                            or_dash(shown.wall_seconds, [](double v) { return significant(v); }) + " s wall",
-                        "relMSE " + or_dash(metric(shown, "relmse"), [](double v) { return significant(v); }) +
-                            doubt_mark(scene),
-                        read_inside(folder, shown.image, label)};
+    FigureColumn column{
+        method_title(view, shown.cell.engine),
+        budget_text(shown.cell.budget) + ", " + or_dash(shown.wall_seconds, [](double v) { return significant(v); }) +
+            " s wall",
+        "relMSE " + or_dash(metric(shown, "relmse"), [](double v) { return significant(v); }) + doubt_mark(scene),
+        read_inside(folder, shown.image, label)};
     if (!shown.image_checksum.empty() && file_checksum(folder / shown.image) != shown.image_checksum)
       throw InputError(label, "its image " + shown.image + " is not the one that was measured");
     if (column.image.width != last.image.width || column.image.height != last.image.height)

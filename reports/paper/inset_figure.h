@@ -15,26 +15,27 @@ namespace photonproof::inline reports_paper {
 /// A column of the figure.
 struct FigureColumn {
   std::string title;
-  std::string budget;             ///< "64 spp, 1.25 s wall"; of the reference its engine and budget
-  std::string relmse;             ///< "relMSE 0.0123" of the whole image; empty for the reference
-  Image image;                    ///< linear
+  std::string budget;                 ///< "64 spp, 1.25 s wall"; of the reference its engine and budget
+  std::string relmse;                 ///< "relMSE 0.0123" of the whole image; empty for the reference
+  Image image;                        ///< linear
   std::vector<double> crop_relmse{};  ///< of each crop, if it is not the reference
 };
 
-/// The finished images of a scene at each engine's largest budget; the reference is the last column. Throws InputError if
-/// an image is missing, is not inside `folder`, is not the one that was measured, or has another size than the reference,
-/// and if a crop is not inside it.
+/// The finished images of a scene at each engine's largest budget; the reference is the last column. Throws InputError
+/// if an image is missing, is not inside `folder`, is not the one that was measured, or has another size than the
+/// reference, and if a crop is not inside it.
 std::vector<FigureColumn> figure_columns(const reports::View& view, const reports::SceneView& scene,
                                          const std::filesystem::path& folder, const std::vector<Inset>& insets);
 
-/// The mean over the pixels and channels of a crop of (image - reference)^2 / (reference^2 + 0.01), as the metric relmse.
+/// The mean over the pixels and channels of a crop of (image - reference)^2 / (reference^2 + 0.01), as the metric
+/// relmse.
 double crop_relmse(const Image& image, const Image& reference, const Inset& inset);
 
 /// The crop at an exposure in stops, as 8-bit sRGB.
 Pixels crop_pixels(const Image& image, const Inset& inset, double exposure);
 
-/// The squared relative error of each pixel of the crop (the terms of crop_relmse), mean of its channels, in the colours
-/// of magma from 1e-4 (dark) to 1 (bright), logarithmic.
+/// The squared relative error of each pixel of the crop (the terms of crop_relmse), mean of its channels, in the
+/// colours of magma from 1e-4 (dark) to 1 (bright), logarithmic.
 Pixels error_pixels(const Image& image, const Image& reference, const Inset& inset);
 
 }  // namespace photonproof::inline reports_paper

@@ -91,8 +91,7 @@ TEST(InsetFigure, what_cannot_be_shown_is_one_error_and_no_file) {
   results.results[1].image = "../photon.exr";
   EXPECT_NE(complaint(results, folder, box).find("box/photon/photons=20000/seed=1: error: "), std::string::npos);
   results.results[1].image.clear();
-  EXPECT_EQ(complaint(results, folder, box),
-            "box/photon/photons=20000/seed=1: error: the record has no image of it");
+  EXPECT_EQ(complaint(results, folder, box), "box/photon/photons=20000/seed=1: error: the record has no image of it");
   results = good;
   results.results[1].image_checksum = "of another";
   EXPECT_EQ(complaint(results, folder, box),

@@ -29,8 +29,8 @@ std::string document(const std::string& name, const std::string& tables) {
            "\\end{document}\n";
   // acmart balances the columns of the last page, and cannot do so with floats: text follows, as in a paper.
   if (name == "acmart")
-    return "\\documentclass[sigconf,nonacm]{acmart}\n\\begin{document}\\title{T}\\author{A}\\maketitle Text.\n" + tables +
-           "\\clearpage Text.\\end{document}\n";
+    return "\\documentclass[sigconf,nonacm]{acmart}\n\\begin{document}\\title{T}\\author{A}\\maketitle Text.\n" +
+           tables + "\\clearpage Text.\\end{document}\n";
   std::string slides;
   for (std::size_t at = tables.find("\\begin{table}"); at != std::string::npos;) {
     const std::size_t next = tables.find("\\begin{table}", at + 1);
@@ -68,7 +68,8 @@ Results wide_results() {
     results.results.push_back(cell);
     Convergence curve = sample_curve();
     curve.engine = i % 2 ? "path" : "a-variant-of-an-engine-with-a-very-long-name";
-    curve.undefined["slope"] = "error grows from 0.0123 at spp=4 to 0.5 at spp=16: rare bright samples \u00b12 \u2264 3";
+    curve.undefined["slope"] =
+        "error grows from 0.0123 at spp=4 to 0.5 at spp=16: rare bright samples \u00b12 \u2264 3";
     if (i % 3 == 0) curve.slope.reset();
     results.convergence.push_back(curve);
   }
@@ -84,7 +85,8 @@ TEST(LatexCompiled, tables_fit_a_column_of_three_classes) {
       write_latex_report(results, folder.path(), folder.path() / "out.tex", {.methods = side});
       const std::string tables = file_text(folder.path() / "out.tex");
       for (const char* name : {"article", "acmart", "beamer"})
-        EXPECT_EQ(problems_of(document(name, tables)), "") << name << (side == MethodsSide::rows ? " rows" : " columns");
+        EXPECT_EQ(problems_of(document(name, tables)), "")
+            << name << (side == MethodsSide::rows ? " rows" : " columns");
     }
   }
 }

@@ -41,8 +41,8 @@ struct Quantities {
 };
 
 LatexTable methods_as_rows(const Quantities& all, const Results& results) {
-  LatexTable table{heading(results) + ": " + all.caption, all.note, results.suite + "-" + all.name, all.stub,
-                   all.columns, {}};
+  LatexTable table{
+      heading(results) + ": " + all.caption, all.note, results.suite + "-" + all.name, all.stub, all.columns, {}};
   for (const Entry& entry : all.entries) table.rows.push_back({entry.scene, entry.method, entry.cells});
   return table;
 }
@@ -50,8 +50,12 @@ LatexTable methods_as_rows(const Quantities& all, const Results& results) {
 /// One table of scenes against methods for a quantity.
 LatexTable methods_as_columns(const Quantities& all, std::size_t quantity, const Results& results) {
   const std::string& title = all.columns[quantity].title;
-  LatexTable table{heading(results) + ": " + title + "; " + all.caption, all.note,
-                   results.suite + "-" + all.name + "-" + title, "Scene", {}, {}};
+  LatexTable table{heading(results) + ": " + title + "; " + all.caption,
+                   all.note,
+                   results.suite + "-" + all.name + "-" + title,
+                   "Scene",
+                   {},
+                   {}};
   std::vector<std::string> methods;
   for (const Entry& entry : all.entries)
     if (std::ranges::find(methods, entry.method) == methods.end()) methods.push_back(entry.method);
@@ -59,8 +63,8 @@ LatexTable methods_as_columns(const Quantities& all, std::size_t quantity, const
   for (const Entry& entry : all.entries) {
     auto row = std::ranges::find(table.rows, entry.scene, &LatexRow::stub);
     if (row == table.rows.end())
-      row = table.rows.insert(
-          row, {"", entry.scene, std::vector<LatexCell>(methods.size(), LatexCell{undefined_number})});
+      row = table.rows.insert(row,
+                              {"", entry.scene, std::vector<LatexCell>(methods.size(), LatexCell{undefined_number})});
     row->cells[static_cast<std::size_t>(std::ranges::find(methods, entry.method) - methods.begin())] =
         entry.cells[quantity];
   }
@@ -73,15 +77,17 @@ std::string at_error(const RaceRecord& race) {
 }
 
 Quantities race_quantities(const View& view) {
-  Quantities all{"races", "time to equal error, and how many times the fastest method's it is",
+  Quantities all{"races",
+                 "time to equal error, and how many times the fastest method's it is",
                  " Times are " + clock_text(clock_of(view)) +
                      ". Ratios are 95 % intervals. Bold: sooner than all others beyond noise.",
-                 {{"Time"}, {"Ratio"}}, {}};
+                 {{"Time"}, {"Ratio"}},
+                 {}};
   const RaceTable table = race_table(view);
   for (std::size_t r = 0; r < table.rows.size(); ++r) {
     const RaceRecord& race = *view.races[r];
     if (race.times.empty()) {
-      all.entries.push_back({scene_title(race.scene), "none", {{undefined_number, false, race.undecided}, {""}}});
+      all.entries.push_back({scene_title(race.scene), "not judged", {{undefined_number, false, race.undecided}, {""}}});
       continue;
     }
     for (const RaceRecord::Time& time : race.times) {
@@ -97,9 +103,11 @@ Quantities race_quantities(const View& view) {
 }
 
 Quantities equal_time_quantities(const View& view) {
-  Quantities all{"equal-time", "relMSE at equal time, and how many times the least it is",
+  Quantities all{"equal-time",
+                 "relMSE at equal time, and how many times the least it is",
                  " Times are " + clock_text(clock_of(view)) + ". Ratios are 95 % intervals. Bold: least beyond noise.",
-                 {{"relMSE"}, {"Ratio"}}, {}};
+                 {{"relMSE"}, {"Ratio"}},
+                 {}};
   for (const RaceRecord* race : view.races) {
     const auto& errors = race->errors;
     const bool won = errors.size() > 1 && std::all_of(errors.begin() + 1, errors.end(), [](const auto& error) {
@@ -115,9 +123,13 @@ Quantities equal_time_quantities(const View& view) {
 }
 
 Quantities error_quantities(const View& view) {
-  Quantities all{"errors", "errors against each scene's reference, at the largest budget a method finished",
-                 " Times are wall-clock seconds.", {{"Budget", true}}, {}};
-  for (const MetricColumn& column : metric_columns()) all.columns.push_back({column.title});
+  Quantities all{"errors",
+                 "errors against each scene's reference, at the largest budget a method finished",
+                 " Times are wall-clock seconds.",
+                 {{"Budget", true}},
+                 {}};
+  for (const MetricColumn& column : metric_columns())  // a column's title beside "relMSE" need not repeat it
+    all.columns.push_back({std::string(column.metric) == "relmse_trimmed" ? "trimmed" : column.title});
   all.columns.push_back({"wall s"});
   for (const SceneView& scene : view.scenes) {
     for (const EngineOutcome& outcome : scene.engines) {
@@ -127,8 +139,7 @@ Quantities error_quantities(const View& view) {
       for (const MetricColumn& column : metric_columns())
         cells.push_back({or_dash(metric(shown, column.metric), column.format) + doubt_mark(scene)});
       cells.push_back({or_dash(shown.wall_seconds, [](double v) { return significant(v); })});
-      all.entries.push_back(
-          {scene_title(scene.record.name), method_title(view, shown.cell.engine), std::move(cells)});
+      all.entries.push_back({scene_title(scene.record.name), method_title(view, shown.cell.engine), std::move(cells)});
     }
   }
   return all;
@@ -147,8 +158,13 @@ std::vector<LatexColumn> columns_of(const PlainTable& table, std::size_t begin, 
 }
 
 Quantities point_quantities(const View& view) {
-  Quantities all{"points", "error against time over seeds, with 95 % intervals",
-                 " Times are " + clock_text(clock_of(view)) + ".", {}, {}, false, "Budget"};
+  Quantities all{"points",
+                 "error against time over seeds, with 95 % intervals",
+                 " Times are " + clock_text(clock_of(view)) + ".",
+                 {},
+                 {},
+                 false,
+                 "Budget"};
   for (const SceneView& scene : view.scenes) {
     if (scene.curves.empty()) continue;
     const PlainTable table = points_table(scene.curves, doubt_mark(scene));
@@ -161,8 +177,11 @@ Quantities point_quantities(const View& view) {
 }
 
 Quantities slope_quantities(const View& view) {
-  Quantities all{"slopes", "slope of log relMSE on log seconds, efficiency, and time to a target",
-                 " Times are " + clock_text(clock_of(view)) + ".", {}, {}};
+  Quantities all{"slopes",
+                 "slope of log relMSE on log seconds, efficiency, and time to a target",
+                 " Times are " + clock_text(clock_of(view)) + ".",
+                 {},
+                 {}};
   for (const SceneView& scene : view.scenes) {
     if (scene.curves.empty()) continue;
     const PlainTable table = slopes_table(scene.curves);

@@ -45,7 +45,8 @@ TEST(LatexReport, rows_are_whole_and_text_of_the_record_is_no_command) {
     EXPECT_EQ(unescaped(line, '$') % 2, 0u) << line;
     EXPECT_EQ(unescaped(line, '#') + unescaped(line, '%') + unescaped(line, '~'), 0u) << line;
     std::smatch match;
-    if (std::regex_search(line, match, std::regex(R"(begin\{tabular\}\{@\{\}([lr]+)@\{\}\})"))) columns = match[1].length();
+    if (std::regex_search(line, match, std::regex(R"(begin\{tabular\}\{@\{\}([lr]+)@\{\}\})")))
+      columns = match[1].length();
     if (!line.ends_with(" \\\\")) continue;
     const bool heading = line.starts_with("  \\multicolumn{" + std::to_string(columns) + "}");
     EXPECT_EQ(unescaped(line, '&'), heading ? 0 : columns - 1) << line;

@@ -14,22 +14,21 @@ using namespace reports;
 
 namespace {
 
-constexpr double column_width = 214;     // pt; 221 pt is the narrowest, of article on A4
-constexpr double column_gap = 6;         // pt, twice \tabcolsep
-constexpr double widest_stub = 92;       // pt; longer texts are wrapped
-constexpr double widest_cell = 104;      // pt, likewise
-constexpr double bold_stretch = 1.16;    // bold digits are 0.575 em wide, medium ones 0.531
+constexpr double column_width = 214;       // pt; 221 pt is the narrowest, of article on A4
+constexpr double column_gap = 6;           // pt, twice \tabcolsep
+constexpr double widest_stub = 92;         // pt; longer texts are wrapped
+constexpr double widest_cell = 104;        // pt, likewise
+constexpr double bold_stretch = 1.16;      // bold digits are 0.575 em wide, medium ones 0.531
 constexpr std::size_t lines_a_float = 19;  // with the caption: a slide has room for these
 
 /// Widths of the characters 32 to 126 in thousandths of 8 pt: cmr8.tfm, rounded up, and for those that other fonts have
 /// (\ { } _ ^ ~ < > |) the widest of these fonts.
 constexpr int character_widths[] = {
-    354, 296, 550, 886, 532, 886, 827, 296, 414, 414, 532, 827, 296, 355, 296, 532,
-    532, 532, 532, 532, 532, 532, 532, 532, 532, 532, 296, 296, 826, 827, 826, 502,
-    827, 796, 753, 768, 812, 723, 694, 834, 796, 383, 546, 826, 664, 973, 796, 827,
-    723, 827, 782, 591, 768, 796, 796, 1091, 796, 796, 650, 296, 600, 296, 600, 600,
-    296, 532, 591, 473, 591, 473, 325, 532, 591, 296, 325, 561, 296, 886, 591, 532,
-    591, 561, 415, 420, 414, 591, 561, 768, 561, 561, 473, 550, 600, 550, 600,
+    354, 296, 550, 886, 532, 886, 827, 296, 414, 414, 532, 827, 296, 355, 296, 532, 532, 532,  532,
+    532, 532, 532, 532, 532, 532, 532, 296, 296, 826, 827, 826, 502, 827, 796, 753, 768, 812,  723,
+    694, 834, 796, 383, 546, 826, 664, 973, 796, 827, 723, 827, 782, 591, 768, 796, 796, 1091, 796,
+    796, 650, 296, 600, 296, 600, 600, 296, 532, 591, 473, 591, 473, 325, 532, 591, 296, 325,  561,
+    296, 886, 591, 532, 591, 561, 415, 420, 414, 591, 561, 768, 561, 561, 473, 550, 600, 550,  600,
 };
 
 /// Escaped. A word of more than 16 bytes may break after each sixth plain character.
@@ -129,8 +128,8 @@ std::string tabular(const LatexTable& table, Part part, std::size_t begin, std::
     columns += table.columns[c].is_text ? 'l' : 'r';
     head += " & " + wrapped(table.columns[c].title, widest_cell);
   }
-  std::string text = "  \\begin{tabular}{" + columns + "@{}}\n  \\toprule\n  " + protected_first(head) +
-                     " \\\\\n  \\midrule\n";
+  std::string text =
+      "  \\begin{tabular}{" + columns + "@{}}\n  \\toprule\n  " + protected_first(head) + " \\\\\n  \\midrule\n";
   std::vector<std::string> notes;
   for (std::size_t r = begin; r < end; ++r) {
     const LatexRow& row = table.rows[r];
@@ -183,9 +182,10 @@ std::string label_text(const std::string& text) {
 }
 
 std::string float_of(const LatexTable& table, const std::string& tabulars, bool continued) {
-  return "\n\\begin{table}\n  \\centering\\footnotesize\\setlength{\\tabcolsep}{3pt}\n  \\caption{" +
+  return "\n\\begin{table}[!htbp]\n  \\centering\\footnotesize\\setlength{\\tabcolsep}{3pt}\n  \\caption{" +
          breakable(table.caption + (continued ? " (continued)." : "." + table.remarks)) + "}\n" +
-         (continued ? "" : "  \\label{tab:" + label_text(table.label) + "}\n") + tabulars + "\\end{table}\n";
+         (continued ? "" : "  \\label{tab:" + label_text(table.label) + "}\n") + "  \\smallskip\n" + tabulars +
+         "\\end{table}\n";
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
-// A LaTeX table that fits one column of `article` with two columns (221 pt), of `acmart` (241 pt) and a slide of `beamer`
-// (307 pt). It needs the package booktabs only.
+// A LaTeX table that fits one column of `article` with two columns (221 pt), of `acmart` (241 pt) and a slide of
+// `beamer` (307 pt). It needs the package booktabs only.
 #pragma once
 
 #include <string>

@@ -1,5 +1,5 @@
-// Formats for papers: tables in LaTeX, plots and figures. Each function replaces `out` as a whole, and throws InputError
-// when it cannot be written or an option does not fit the record.
+// Formats for papers: tables in LaTeX, plots and figures. Each function replaces `out` as a whole, and throws
+// InputError when it cannot be written or an option does not fit the record.
 #pragma once
 
 #include <filesystem>

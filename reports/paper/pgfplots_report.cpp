@@ -58,11 +58,13 @@ std::string picture(const PaperPlot& plot, const View& view, const std::vector<s
   std::string text = "\n\\begin{tikzpicture}\n";
   for (const std::size_t engine : plotted_engines({plot}))
     text += "  \\definecolor{" + color_name(engine) + "}{HTML}{" + method_style(engine).color + "}\n";
-  text += "  \\begin{axis}[xmode=log, ymode=log, scale only axis, width=0.77\\columnwidth, height=0.52\\columnwidth,\n"
-          "    title={" + latex_text(plot.scene) + "}, xlabel={" + time_axis_title(plot.plot.clock) +
-          "}, ylabel={relMSE},\n"
-          "    font=\\footnotesize, grid=major, grid style={black!12}, legend cell align=left,\n"
-          "    legend style={font=\\scriptsize, draw=none, fill opacity=0.8, text opacity=1}]\n";
+  text +=
+      "  \\begin{axis}[xmode=log, ymode=log, scale only axis, width=0.77\\columnwidth, height=0.52\\columnwidth,\n"
+      "    title={" +
+      latex_text(plot.scene) + "}, xlabel={" + time_axis_title(plot.plot.clock) +
+      "}, ylabel={relMSE},\n"
+      "    font=\\footnotesize, grid=major, grid style={black!12}, legend cell align=left,\n"
+      "    legend style={font=\\scriptsize, draw=none, fill opacity=0.8, text opacity=1}]\n";
   for (const double target : plot.plot.targets) {
     ValueRange seconds;
     for (const PlotSeries& series : plot.plot.series)
