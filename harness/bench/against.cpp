@@ -18,7 +18,7 @@
 #include "scenes/base/input_error.h"
 #include "scenes/base/percent_text.h"
 #include "scenes/base/timer.h"
-#include "scenes/files/atomic_file.h"
+#include "scenes/files/file_checksum.h"
 #include "scenes/images/image.h"
 
 namespace photonproof::inline harness_bench {
@@ -26,7 +26,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t max_program_bytes = std::size_t{1} << 30;
 constexpr double longest_warm_up = 20;
 
 // The numbers of a round, or the reason why there are none ("" when it was interrupted).
@@ -270,12 +269,6 @@ Results read_old_run(const AgainstOptions& options) {
   return read_results(options.results.string());
 }
 
-std::string program_hash(const fs::path& program) {
-  try {
-    return content_key({{"program", read_file(program, max_program_bytes)}});
-  } catch (const InputError&) {
-    return {};
-  }
-}
+std::string program_hash(const fs::path& program) { return file_checksum(program); }
 
 }  // namespace photonproof::inline harness_bench

@@ -116,6 +116,24 @@ TEST_F(Against, program_that_a_record_names_is_never_run) {
   EXPECT_NE(results.changes[0].sentence.find("--old-program PATH would decide it"), std::string::npos);
 }
 
+TEST_F(Against, hash_of_a_program_differs_when_a_byte_of_it_does) {
+  std::string bytes(std::size_t{3} << 20, 'a');
+  put("one", bytes);
+  const std::string hash = program_hash(folder_ / "one");
+  EXPECT_FALSE(hash.empty());
+  put("same", bytes);
+  EXPECT_EQ(program_hash(folder_ / "same"), hash);
+  for (const std::size_t at : {std::size_t{0}, bytes.size() / 2, bytes.size() - 1}) {
+    bytes[at] = 'b';
+    put("other", bytes);
+    EXPECT_NE(program_hash(folder_ / "other"), hash);
+    bytes[at] = 'a';
+  }
+  put("longer", bytes + 'a');
+  EXPECT_NE(program_hash(folder_ / "longer"), hash);
+  EXPECT_EQ(program_hash(folder_ / "missing"), "");
+}
+
 TEST_F(Against, older_run_in_the_same_folder_is_read_before_it_is_replaced) {
   const auto old_program = program("old.sh", work, "brighter.exr");
   bench("out", old_program);
