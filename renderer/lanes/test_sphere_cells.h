@@ -175,10 +175,13 @@ double sphere_p_value(const Draw& draw, const Density& density, std::uint64_t se
     }
     observed[found] += 1;
   }
+  // Masses differ by at most 4e-6 from those at a tolerance ten times finer, in all 70 lobes of the test of BSDFs. This
+  // adds at most 0.4 to the chi^2 of a million samples in 192 cells. Its own deviation is 20.
+  constexpr double tolerance = 2e-6;
   double total = 0;
   for (std::size_t c = 0; c < cells; ++c) {
     const SphereCell& cell = c < cells_above ? above.cells()[c] : below.cells()[c - cells_above];
-    const double mass = cell_mass(cell, density, 2e-7);
+    const double mass = cell_mass(cell, density, tolerance);
     expected[c] = samples * mass;
     total += mass;
   }
