@@ -37,15 +37,15 @@ static const Ball* hit(V o, V d, double& t) {
     const V to = ball.centre - o;
     const double b = dot(to, d), h = b * b - dot(to, to) + ball.radius * ball.radius;
     if (h < 0) continue;
-    for (const double at : {b - std::sqrt(h), b + std::sqrt(h)})
-      if (at > 1e-6 && at < t) t = at, nearest = &ball;
+    const double root = std::sqrt(h), at = b - root > 1e-6 ? b - root : b + root;
+    if (at > 1e-6 && at < t) t = at, nearest = &ball;
   }
   return nearest;
 }
 
 struct Random {
   std::mt19937_64 bits;
-  double operator()() { return std::uniform_real_distribution<double>()(bits); }
+  double operator()() { return double(bits() >> 11) * 0x1p-53; }
   V direction() {  // uniform on the sphere
     const double z = 2 * (*this)() - 1, phi = 6.283185307179586 * (*this)(), r = std::sqrt(1 - z * z);
     return {r * std::cos(phi), r * std::sin(phi), z};
