@@ -10,7 +10,6 @@
 #include <random>
 #include <variant>
 
-#include "harness/cells/cells.h"
 #include "harness/cells/host.h"
 #include "harness/conclusions/stored_changes.h"
 #include "harness/statistics/relative_error.h"
