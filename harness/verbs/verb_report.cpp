@@ -92,7 +92,8 @@ void write_reports(const ReportOptions& options) {
   if (!options.output.empty() && formats.size() > 1) {
     throw InputError("--output", "names one file, but more than one format is asked for");
   }
-  if (options.output.empty() && (options.results.starts_with("/dev/") || options.results.starts_with("/proc/")))
+  const bool is_device = options.results.starts_with("/dev/") && !options.results.starts_with("/dev/shm/");
+  if (options.output.empty() && (is_device || options.results.starts_with("/proc/")))
     throw InputError(options.results, "cannot have a report beside it: name the report with -o");
   check_options(options, formats);
   Results results = read_results(options.results);
