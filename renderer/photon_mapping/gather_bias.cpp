@@ -19,6 +19,15 @@ double dot3(const RgbD& a, const RgbD& b) { return a.x * b.x + a.y * b.y + a.z *
 
 }  // namespace
 
+double GatherBias::Evidence::balance(double exponent) const {
+  constexpr double smooth = 16.0 / 9, edge = 4.3;  // squared bias over D^2
+  const double part = (smooth_exponent - exponent) / (smooth_exponent - edge_exponent);
+  const double squared = smooth * std::pow(edge / smooth, part) * difference;
+  return variance / 3 / (exponent / 2 * squared);
+}
+
+double GatherBias::Evidence::step(double exponent) const { return std::pow(balance(exponent), 1 / (exponent + 2)); }
+
 GatherBias::GatherBias(const Tile& window)
     : window_(window),
       stride_(stride_for(window)),
@@ -80,10 +89,12 @@ void GatherBias::narrow(const Film& film, const PassHalves& halves) {
         sum.variance += one.variance;
       }
     }
+  const std::size_t blocks_a_map = sums.size() / maps;
   for (std::size_t i = 0; i < sums.size(); ++i) {
     const Evidence plain{sums[i].difference - doubt * sums[i].variance, sums[i].variance};
-    const double step = plain.difference > 0 ? std::pow(plain.balance(), 1.0 / 6) : most_growing;
-    const double next = static_cast<double>(narrowings_[i]) * std::clamp(step, most_shrinking, most_growing);
+    const double p = exponents_[i / blocks_a_map], least = std::pow(most_shrinking, (smooth_exponent + 2) / (p + 2));
+    const double step = plain.difference > 0 ? plain.step(p) : most_growing;
+    const double next = static_cast<double>(narrowings_[i]) * std::clamp(step, least, most_growing);
     narrowings_[i] = static_cast<float>(std::clamp(next, narrowest, 1.0));
   }
 }
@@ -112,13 +123,13 @@ void RadiusHistory::add_pass(double pass_samples, double photons) {
   squared_samples_over_photons_r_2 += squared_over_photons / r_2;
 }
 
-double RadiusHistory::best(const GatherBias::Evidence& evidence, double all_samples) const {
+double RadiusHistory::best(const GatherBias::Evidence& evidence, double all_samples, double exponent) const {
   // Assumes that all passes had the root-mean-square radius. The bound on the difference keeps noise from deciding.
   const double mean_square = samples_times_square / samples;
   const double variance = evidence.variance * squared_samples_over_photons /
                           (mean_square * squared_samples_over_photons_r_2) * samples / all_samples;
   const GatherBias::Evidence likely{std::max(evidence.difference, 0.01 * evidence.variance), variance};
-  return variance > 0 ? std::sqrt(mean_square) * std::pow(likely.balance(), 1.0 / 6) : static_cast<double>(radius);
+  return variance > 0 ? std::sqrt(mean_square) * likely.step(exponent) : static_cast<double>(radius);
 }
 
 }  // namespace photonproof::inline renderer_photon_mapping

@@ -8,7 +8,15 @@
 //   `mean over pixels of D_even D_odd` is the mean of (3/4 b r^2)^2, without the part that noise would add.
 //   `mean over pixels of (D_even - D_odd)^2` is the part that noise adds.
 // Both are relative to the image as relmse is. At an edge of light the squared bias, averaged over places, is 4.3 times
-// D^2, where smooth light has 16/9. The larger factor is used, since edges remain where radii are best.
+// D^2, where smooth light has 16/9. Errors are reported with the larger factor, since edges remain where radii are
+// best.
+//
+// The squared bias is in proportion to a power r^p. Smooth light has p = 4. Edges have p = 1, since a share r of all
+// places lies within r of an edge, whatever the height of the edge. With n photons the error is `c/(n r^2) + b r^p`.
+//   Its derivative is 0 at `r = (2c / (p b n))^(1/(p+2))`, where the variance V is p/2 times the squared bias B^2.
+//   From any other radius, the factor to that one is `(V / (p/2 B^2))^(1/(p+2))`.
+//   The least error falls as n^(-p/(p+2)): n^(-2/3) for smooth light and n^(-1/3) at edges.
+// A pilot measures p (radius_trials.h).
 #pragma once
 
 #include <algorithm>
@@ -24,6 +32,9 @@
 namespace photonproof::inline renderer_photon_mapping {
 
 constexpr double square(double x) { return x * x; }
+
+/// The exponent p of the squared bias in the radius, for smooth light and at edges.
+inline constexpr double smooth_exponent = 4, edge_exponent = 1;
 
 /// Numbers of samples and passes in the even and in the odd half of a render.
 struct PassHalves {
@@ -59,9 +70,11 @@ class GatherBias {
     double variance = 0;    ///< variance of D
     /// Squared bias of the image by the radius, in units of relmse.
     double squared_bias() const { return 4.3 * std::max(0.0, difference); }
-    /// Ratio V / 2B^2 of the variance V and the squared smooth bias B^2 of L(r). It is 1 at the best radius. Its sixth
-    /// root is the factor from the radius to the best one.
-    double balance() const { return variance / 3 / (2 * square(4.0 / 3) * difference); }
+    /// Ratio V / (p/2 B^2) of the variance V and the squared bias B^2 of L(r), for the exponent p; 1 at the best
+    /// radius. B^2 / D^2 is interpolated between smooth light and edges.
+    double balance(double exponent) const;
+    /// Factor from the radius to the best one: the root of order p + 2 of the balance.
+    double step(double exponent) const;
   };
   /// Zero before both halves have a pass.
   Evidence evidence(const Film& film, int map, const PassHalves& halves) const;
@@ -71,6 +84,8 @@ class GatherBias {
   /// Chooses these factors for the next pass. In blocks of the lattice whose bias exceeds their noise, radii shrink
   /// until it no longer does.
   void narrow(const Film& film, const PassHalves& halves);
+  /// Sets the exponent of a map's squared bias, for `narrow`; smooth light's before.
+  void set_exponent(int map, double exponent) { exponents_[static_cast<std::size_t>(map)] = exponent; }
 
   /// For checkpoints: the chosen factors.
   std::vector<float>& narrowings() { return narrowings_; }
@@ -96,11 +111,12 @@ class GatherBias {
   int stride_, first_x_, first_y_, across_, down_, blocks_across_, blocks_down_;
   std::vector<Pixel> pixels_;
   std::vector<float> narrowings_;  ///< factors of the blocks, map after map
+  std::array<double, maps> exponents_{smooth_exponent, smooth_exponent};
 };
 
 /// Radii of one map from pass to pass. A pass of n photons and s of all S samples adds (s/S)^2 c/(n r^2) to the
 /// variance of the mean. All passes together are worth N = S^2 / sum(s^2/n) photons of one pass. The relmse c/(N r^2) +
-/// b^2 r^4 is least where V = c/(N r^2) is twice B^2.
+/// b r^p is least where V = c/(N r^2) is p/2 times the squared bias.
 struct RadiusHistory {
   double samples = 0;
   double samples_times_square = 0;              ///< Sum of s r^2.
@@ -113,8 +129,9 @@ struct RadiusHistory {
   void add_pass(double pass_samples, double photons);
   /// N as defined above.
   double worth() const { return samples * samples / squared_samples_over_photons; }
-  /// Best radius for a render that will have so many samples, with photons as up to now.
-  double best(const GatherBias::Evidence& evidence, double all_samples) const;
+  /// Best radius for a render that will have so many samples, with photons as up to now, for a squared bias of this
+  /// exponent.
+  double best(const GatherBias::Evidence& evidence, double all_samples, double exponent = smooth_exponent) const;
 };
 
 }  // namespace photonproof::inline renderer_photon_mapping

@@ -181,6 +181,50 @@ TEST(radius_history, finds_the_radius_that_makes_bias_and_variance_least) {
   }
 }
 
+TEST(gather_bias, steps_to_the_least_error_for_any_exponent_of_the_bias) {
+  // Reference: c/r^2 + b r^p over finely spaced radii. At a radius of 1 the variance of D is 3c. D^2 is 9/16 of the
+  // squared bias of smooth light and 1/4.3 of that of edges; any other exponent has the geometric mean of the two.
+  for (const double p : {1.0, 2.5, 4.0})
+    for (const double c : {0.01, 1.0}) {
+      double best = 0, least = 1e300;
+      for (double r = 0.05; r < 5; r *= 1.0005)
+        if (const double error = c / (r * r) + std::pow(r, p); error < least) least = error, best = r;
+      const double part = p == 4 ? 9.0 / 16 : p == 1 ? 1 / 4.3 : std::sqrt(9.0 / 16 / 4.3);
+      EXPECT_NEAR((GatherBias::Evidence{part, 3 * c}.step(p)) / best, 1, 1e-3) << p << ' ' << c;
+    }
+}
+
+/// Factor of the radius in the middle after one choice. D is 1 + apart in even passes and 1 - apart in odd ones.
+float narrowed(double exponent, double apart) {
+  constexpr int size = 16;
+  Film film(size, size);
+  GatherBias bias(Tile{0, 0, size, size});
+  bias.set_exponent(0, exponent);
+  PassHalves halves;
+  for (int pass = 0; pass < 4; ++pass) {
+    for (int y = 0; y < size; ++y)
+      for (int x = 0; x < size; ++x) {
+        film.add(x, y, RgbD(1.0), 1);
+        bias.add(x, y, 0, pass, RgbD(pass % 2 == 0 ? 1 + apart : 1 - apart), 1);
+        bias.add(x, y, 1, pass, RgbD(1.0), 1);
+      }
+    halves.add_pass(1);
+  }
+  bias.narrow(film, halves);
+  EXPECT_NEAR(double{bias.narrowing(8, 8, 1)}, 0.85, 1e-6) << "the other map";
+  return bias.narrowing(8, 8, 0);
+}
+
+TEST(gather_bias, narrows_faster_at_edges) {
+  EXPECT_NEAR(double{narrowed(smooth_exponent, 0)}, 0.85, 1e-6);
+  EXPECT_NEAR(double{narrowed(edge_exponent, 0)}, 0.85 * 0.85, 1e-6);
+  // The square of D, 1 - 0.45, exceeds D's variance 0.45 by 0.1. V is 0.15 and the squared bias 4.3 x 0.1 at edges,
+  // 16/9 x 0.1 in smooth light.
+  const double apart = std::sqrt(0.45);
+  EXPECT_NEAR(double{narrowed(edge_exponent, apart)}, std::cbrt(0.15 / (0.5 * 0.43)), 1e-5);
+  EXPECT_NEAR(double{narrowed(smooth_exponent, apart)}, std::pow(0.15 / (2 * 1.6 / 9), 1.0 / 6), 1e-5);
+}
+
 TEST(adaptive_sample_map, goes_where_passes_disagree_and_around_it) {
   AdaptiveSampleMap effort(Tile{0, 0, 16, 16});
   std::mt19937_64 random(3);

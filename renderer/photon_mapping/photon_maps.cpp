@@ -197,7 +197,8 @@ void choose_next_radius(MapState& map, const PhotonSettings& settings, const Gat
     next = guess;
     const bool gathered = settings.indirect == IndirectLight::gather && map.kind == PhotonKind::global;
     if (halves.passes[1] >= least_evidence && !gathered) {
-      next = std::clamp(radii.best(evidence, all_samples), most_shrinking * now, most_growing * now);
+      next = std::clamp(radii.best(evidence, all_samples, map.trials.exponent()), most_shrinking * now,
+                        most_growing * now);
       next = std::clamp(next, narrowest * guess, widest * guess);
     }
   }

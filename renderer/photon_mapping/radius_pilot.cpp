@@ -181,7 +181,7 @@ RadiusPilot::Light RadiusPilot::sums_of(const std::vector<Light>& light) {
 }
 
 RadiusTrials RadiusPilot::try_radii(const Photons& photons, double emitted, const Limits& limits) {
-  RadiusTrials trials(emitted);
+  RadiusTrials trials(emitted, limits.least_exponent);
   if (photons.size() < fewest_photons) return trials;
   const Halves halves{half_of(photons, 0), half_of(photons, 1)};
   std::deque<std::vector<Light>> light;  // of the last radii

@@ -24,8 +24,9 @@ class RadiusPilot {
   RadiusPilot(const PhotonSource& source, const PathSettings& settings, const GatherAreas& areas, const Tile& window);
 
   struct Limits {
-    double least, most;  ///< radii
-    double most_found;   ///< photons that a gather finds, in the mean
+    double least, most;     ///< radii
+    double most_found;      ///< photons that a gather finds, in the mean
+    double least_exponent;  ///< of the squared bias
   };
   /// Tries radii from the least on, until wider ones only add bias. The photons are those of `emitted` light paths, in
   /// the order of these. Without enough of them there are no trials.

@@ -13,6 +13,21 @@ const RadiusTrials::Trial& RadiusTrials::chosen(double emitted) const {
   return *std::ranges::find_if(trials_, [&](const Trial& trial) { return at_most(trial, emitted) <= nearly * least; });
 }
 
+double RadiusTrials::exponent() const {
+  constexpr double plainly = 4, octave = 2.01;  // doubt is one standard error
+  constexpr int fewest = 3;
+  double first = 0, count = 0, x = 0, y = 0, xx = 0, xy = 0;  // sums of logarithms
+  for (const Trial& trial : trials_) {
+    if (!(trial.squared_bias > plainly * trial.doubt)) continue;
+    if (first == 0) first = trial.radius;
+    if (trial.radius > octave * first) break;
+    const double radius = std::log(trial.radius / first), bias = std::log(trial.squared_bias);
+    count += 1, x += radius, y += bias, xx += radius * radius, xy += radius * bias;
+  }
+  if (count < fewest) return smooth_exponent;
+  return std::clamp((count * xy - x * y) / (count * xx - x * x), least_exponent_, smooth_exponent);
+}
+
 double RadiusTrials::best(double emitted) const {
   const double known = std::min(emitted, emitted_);
   return chosen(known).radius * std::pow(emitted / known, -1.0 / 6);
@@ -21,8 +36,8 @@ double RadiusTrials::best(double emitted) const {
 double RadiusTrials::error(double emitted) const {
   const double known = std::min(emitted, emitted_);
   const Trial& trial = chosen(known);
-  const double noise = variance(trial, known);
-  return (noise + std::max(trial.squared_bias, noise / 2)) * std::pow(emitted / known, -2.0 / 3);
+  const double noise = variance(trial, known), p = exponent();
+  return (noise + std::max(trial.squared_bias, noise * 2 / p)) * std::pow(emitted / known, -p / (p + 2));
 }
 
 }  // namespace photonproof::inline renderer_photon_mapping

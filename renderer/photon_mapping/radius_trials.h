@@ -1,15 +1,22 @@
 // Errors of gather radii, tried on a pilot's photons (radius_pilot.h), and the best radius for any number of photons.
+// With more photons than the pilot's, smaller biases decide than its photons can show. The squared bias then follows a
+// power r^p (gather_bias.h), whose exponent is that of the narrowest radii with a plain bias. The least error is in
+// proportion to n^(-p/(p+2)). The radius beyond the pilot follows smooth light, as n^(-1/6), until passes show the
+// bias. Edges' n^(-1/3) has more noise at first: on `water-caustic` with 4 samples a pixel the error is 9 % larger.
 #pragma once
 
 #include <vector>
+
+#include "renderer/photon_mapping/gather_bias.h"
 
 namespace photonproof::inline renderer_photon_mapping {
 
 class RadiusTrials {
  public:
   RadiusTrials() = default;
-  /// `emitted` is the number of light paths of the pilot.
-  explicit RadiusTrials(double emitted) : emitted_(emitted) {}
+  /// `emitted` is the number of light paths of the pilot, `least_exponent` the lower limit of `exponent`.
+  explicit RadiusTrials(double emitted, double least_exponent = edge_exponent)
+      : emitted_(emitted), least_exponent_(least_exponent) {}
 
   /// In ascending order of the radius. The variance of L(r) with the pilot's photons, its squared bias, and a bias that
   /// the photons could not show; in units of relmse.
@@ -18,12 +25,15 @@ class RadiusTrials {
   }
   bool empty() const { return trials_.empty(); }
 
+  /// The exponent p of the squared bias, between the limit and that of smooth light. Smooth light's where too few
+  /// trials show a bias plainly.
+  double exponent() const;
   /// The radius for photons of so many light paths. Among radii of nearly the least error, doubt included, it is the
-  /// least, since wide gathers take more time. With more photons than the pilot's, smaller biases decide than its
-  /// photons can show: the radius then is in proportion to n^(-1/6). There must be a trial.
+  /// least, since wide gathers take more time. With more photons than the pilot's it is in proportion to n^(-1/6).
+  /// There must be a trial.
   double best(double emitted) const;
-  /// Expected variance plus squared bias of that radius, which is in proportion to n^(-2/3) for more photons. At the
-  /// best radius the squared bias is half of the variance (gather_bias.h), or more if more is seen.
+  /// Expected variance plus squared bias of that radius. At the best radius the squared bias is 2/p of the variance, or
+  /// more if more is seen.
   double error(double emitted) const;
 
  private:
@@ -37,7 +47,7 @@ class RadiusTrials {
   }
   const Trial& chosen(double emitted) const;
 
-  double emitted_ = 1;
+  double emitted_ = 1, least_exponent_ = smooth_exponent;
   std::vector<Trial> trials_;
 };
 

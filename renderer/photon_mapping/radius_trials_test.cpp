@@ -37,6 +37,36 @@ TEST(radius_trials, follow_the_power_law_beyond_the_pilot) {
   EXPECT_NEAR(trials.error(64 * pilot), trials.error(pilot) / 16, 1e-12);
 }
 
+/// Trials of L(r) with the variance 1 / r^2 and the squared bias r^p, whose error is a tenth.
+RadiusTrials light_of_exponent(double p, double least) {
+  RadiusTrials trials(pilot, least);
+  for (double r = 0.1; r < 10; r *= std::sqrt(2.0)) trials.add(r, 1 / (r * r), std::pow(r, p), 0.1 * std::pow(r, p));
+  return trials;
+}
+
+TEST(radius_trials, measure_the_exponent_of_the_bias_within_its_limits) {
+  for (const double p : {1.0, 1.7, 2.5, 4.0}) EXPECT_NEAR(light_of_exponent(p, edge_exponent).exponent(), p, 1e-9) << p;
+  EXPECT_EQ(light_of_exponent(0.5, edge_exponent).exponent(), edge_exponent);
+  EXPECT_EQ(light_of_exponent(6, edge_exponent).exponent(), smooth_exponent);
+  EXPECT_EQ(light_of_exponent(1, smooth_exponent).exponent(), smooth_exponent);
+  EXPECT_EQ(RadiusTrials(pilot).exponent(), smooth_exponent) << "no trials";
+}
+
+TEST(radius_trials, measure_the_exponent_at_the_narrowest_plain_biases_alone) {
+  RadiusTrials trials(pilot);
+  const double bias[] = {1e-6, 1e-6, 2, 2 * std::sqrt(2.0), 4, 400};  // of edges between noise and smooth light
+  for (int i = 0; i < 6; ++i) trials.add(std::pow(2, i / 2.0), 1, bias[i], 0.1);
+  EXPECT_NEAR(trials.exponent(), 1, 1e-9);
+}
+
+TEST(radius_trials, expect_errors_of_edges_beyond_the_pilot_and_shrink_with_care) {
+  // V = c/(n r^2) and B^2 = b r^p: the error is in proportion to n^(-p/(p+2)). The radius follows smooth light.
+  const RadiusTrials edges = light_of_exponent(1, edge_exponent);
+  EXPECT_NEAR(edges.best(64 * pilot), edges.best(pilot) / 2, 1e-9);
+  EXPECT_NEAR(edges.error(64 * pilot), edges.error(pilot) / 4, 1e-9);
+  EXPECT_NEAR(edges.error(pilot), 3 / (edges.best(pilot) * edges.best(pilot)), 1e-9) << "V and a squared bias of 2V";
+}
+
 TEST(radius_trials, take_the_narrowest_where_bias_rules_and_the_widest_of_even_light) {
   RadiusTrials edges(pilot), even(pilot);
   for (double r = 1; r < 5; r *= step) {
