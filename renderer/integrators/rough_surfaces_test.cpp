@@ -67,6 +67,25 @@ TEST(rough_surfaces, edges_of_both_paths_count) {
   EXPECT_EQ(test::image_mean(render(scene, "photonmapper", job_with(4, 100'000)).image.mean), 0);
 }
 
+// The edge of the beam's patch is in view, so that radii have a bias. A flat floor has the same image and bias as one
+// surface and as 8,192 triangles, where neighbouring gathers share the areas of both radii.
+TEST(rough_surfaces, of_many_triangles_have_the_bias_of_one_surface) {
+  SceneDescription scene = mirrored_beam(PhongDescription{20.0, RgbD(0.3), RgbD(0.5)});
+  test::set_camera(scene, Transform::look_at({1, 2, 1.25}, {0.9, 0, 0}, {0, 1, 0}), 40, 32);
+  const auto one = render(scene, "photonmapper", job_with(64, 200'000));
+  scene.shapes[0].geometry =
+      HeightfieldDescription{.columns = 64, .rows = 64, .amplitude = 0, .height = HeightfieldNoise{}};
+  const auto many = render(scene, "photonmapper", job_with(64, 200'000));
+  const double bias = one.stats.counts.at("relative_bias"), bias_of_many = many.stats.counts.at("relative_bias");
+  std::printf("relative bias of a rough floor: %.4f as one surface, %.4f as triangles\n", bias, bias_of_many);
+  // Narrow gathers that lost all light would differ from wide ones by the radiance itself. Far above a tenth, its
+  // square relative to the image is nearly 1, and the reported root is near 2. Only gathers near the edge may differ.
+  EXPECT_GT(bias, 0.01);
+  EXPECT_LT(bias, 0.5);
+  EXPECT_NEAR(bias_of_many / bias, 1, 0.05);
+  EXPECT_NEAR(test::image_mean(many.image.mean) / test::image_mean(one.image.mean), 1, 0.005);
+}
+
 /// The room with balls of glass and mirror; its floor and its left wall are of `model`.
 SceneDescription rough_room(const decltype(BsdfDescription::model)& model, int size = 32) {
   SceneDescription scene = test::room(size, true);

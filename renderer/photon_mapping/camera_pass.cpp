@@ -288,13 +288,17 @@ void CameraPass::add_photons(TilePaths& paths) {
 void CameraPass::add_photons_on_rough(TilePaths& paths) {
   areas_->fill(paths.rough);
   const GatherPoints wide = paths.rough.view(), narrow = paths.rough_narrow.view();
+  const auto looks_twice = [&](std::uint32_t pixel) { return bias_.looks_twice(paths.x(pixel), paths.y(pixel)); };
+  for (std::size_t i = 0; i < narrow.count; ++i)
+    if (!looks_twice(paths.pixel_of[narrow.path[i]])) narrow.found[i] = 0;  // its area is of no use
+  areas_->fill(paths.rough_narrow);  // neighbours share areas: each by itself took half of the time on `door-ajar`
   for (std::size_t i = 0; i < wide.count; ++i) {
     const GatherPoint point = paths.rough[i];
     const std::uint32_t pixel = paths.pixel_of[point.path];
     wide.area[i] *= fault_divisor(*caustic_);
     paths.sum[pixel] += point.weight * irradiance(wide, i);
-    if (wide.found[i] == 0 || !bias_.looks_twice(paths.x(pixel), paths.y(pixel))) continue;
-    narrow.area[i] = areas_->divisor(point, narrow.radius[i]) * fault_divisor(*caustic_);
+    if (wide.found[i] == 0 || !looks_twice(pixel)) continue;
+    narrow.area[i] *= fault_divisor(*caustic_);
     add_lost(*caustic_, pixel, point.weight * (irradiance(wide, i) - irradiance(narrow, i)), paths);
   }
   caustic_->count_found(wide);
