@@ -5,6 +5,7 @@
 - Tables of numbers that tests read are printed again by the scripts that made them: other methods, or Mitsuba itself.
 - Constants that tests hold are looked for in those tests, number by number.
 - `compare` and the tables of its metrics are held against scikit-image and flip-evaluator.
+- Radiance fields are rendered by their definition in numpy.
 - Small scenes, a parameter of docs/formats/scene.md each, are rendered beside Mitsuba (mitsuba_parameters.py).
 
 --only chooses checks by name, --scenes those that Mitsuba renders. Exit codes: 0 all agree, 1 some do not.
@@ -42,6 +43,8 @@ CONSTANTS = [
     (["sun_position_oracle.py"], ["scenes/description/sun_position_test.cpp"]),
     (["sky_oracle.py", "expected"], ["renderer/light_sampling/sky_test.cpp", "scenes/description/sun_position_test.cpp"]),
 ]
+# Scripts that render by another method, hold the program against it and end with 0 where they agree.
+METHODS = ["radiance_field.py"]
 # Scripts that hold themselves against Mitsuba and end with 0 where they agree.
 PROOFS = ["principled.py"]
 # FLIP's own program computes in single precision.
@@ -81,6 +84,11 @@ def check_constants(command, files):
 def check_proof(script):
     run = subprocess.run([sys.executable, str(FOLDER / script)], capture_output=True, text=True, cwd=ROOT)
     return [] if run.returncode == 0 else run.stderr.splitlines()[-1:]
+
+
+def check_method(script, program):
+    run = subprocess.run([sys.executable, str(FOLDER / script), program], capture_output=True, text=True, cwd=ROOT)
+    return [] if run.returncode == 0 else run.stdout.splitlines() + run.stderr.splitlines()[-1:]
 
 
 def judged_by_packages(reference, test, exposure):
@@ -140,6 +148,8 @@ def main():
         checks[" ".join(command)] = lambda row=(command, file, tolerance): check_table(*row)
     for command, files in CONSTANTS:
         checks[" ".join(command)] = lambda row=(command, files): check_constants(*row)
+    for script in METHODS:
+        checks[script] = lambda script=script: check_method(script, program)
     for script in PROOFS:
         checks[script] = lambda script=script: check_proof(script)
     checks["mitsuba_parameters.py"] = lambda: check_mitsuba(program, arguments.scenes)
