@@ -14,7 +14,7 @@ namespace photonproof::inline reports_paper {
 
 enum class DrawingKind { svg, pdf, png };
 
-/// By the end of the name. Throws InputError on any other than .svg, .pdf and .png.
+/// The kind by the end of the name. Throws InputError on any other than .svg, .pdf and .png.
 DrawingKind drawing_kind(const std::filesystem::path& out);
 
 struct Stroke {

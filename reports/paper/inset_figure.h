@@ -22,8 +22,8 @@ struct FigureColumn {
 };
 
 /// The finished images of a scene at each engine's largest budget; the reference is the last column. Throws InputError
-/// if an image is missing, is not inside `folder`, is not the one that was measured, or has another size than the
-/// reference, and if a crop is not inside it.
+/// if an image is missing, is not inside `folder`, or is not the one that was measured. It does so too if an image has
+/// another size than the reference, and if a crop is not inside it.
 std::vector<FigureColumn> figure_columns(const reports::View& view, const reports::SceneView& scene,
                                          const std::filesystem::path& folder, const std::vector<Inset>& insets);
 
@@ -34,8 +34,8 @@ double crop_relmse(const Image& image, const Image& reference, const Inset& inse
 /// The crop at an exposure in stops, as 8-bit sRGB.
 Pixels crop_pixels(const Image& image, const Inset& inset, double exposure);
 
-/// The squared relative error of each pixel of the crop (the terms of crop_relmse), mean of its channels, in the
-/// colours of magma from 1e-4 (dark) to 1 (bright), logarithmic.
+/// The squared relative error of each pixel of the crop: the terms of crop_relmse, mean of its channels. Colours are
+/// magma's from 1e-4 (dark) to 1 (bright), logarithmic.
 Pixels error_pixels(const Image& image, const Image& reference, const Inset& inset);
 
 }  // namespace photonproof::inline reports_paper

@@ -1,5 +1,5 @@
-// Tables for a paper, included by \input: who is sooner to equal error, errors at the largest budgets, errors against
-// time, slopes and gates, as far as the record has them.
+// Tables for a paper, included by \input. Races to equal error, errors at equal time and at the largest budgets, errors
+// against time, slopes and gates, as far as the record has them.
 #include <fmt/format.h>
 
 #include <algorithm>
