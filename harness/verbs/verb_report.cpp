@@ -152,10 +152,7 @@ void add_report_verb(CLI::App& program, int& exit_code) {
   for (const ReportFormat& format : report_formats())
     known += known.empty() ? std::string(format.name) + " (default)" : ", " + std::string(format.name);
   verb->add_option("results", options->results, "results.json of a run; pictures are found beside it")->required();
-  verb->add_option("--format", options->formats, "formats: " + known + "; commas between several")
-      ->delimiter(',')
-      ->type_name("NAME,...")
-      ->allow_extra_args(false);
+  verb->add_option("--format", options->formats, known)->delimiter(',')->type_name("NAME,...")->allow_extra_args(false);
   verb->add_option("-o,--output", options->output,
                    "file to write, with one format (default: report.html, report.md ... beside the record)");
   add_paper_options(*verb, *options);

@@ -14,7 +14,7 @@
 #include "scenes/files/atomic_file.h"
 #include "scenes/files/test_folder.h"
 
-namespace photonproof::inline harness_verbs {
+namespace photonproof::inline harness_verbs_program {
 namespace {
 
 constexpr double truth = 10;
@@ -120,4 +120,4 @@ TEST_F(KnownTruth, every_format_states_the_factor_within_its_interval) {
 }
 
 }  // namespace
-}  // namespace photonproof::inline harness_verbs
+}  // namespace photonproof::inline harness_verbs_program
