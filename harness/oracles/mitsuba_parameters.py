@@ -291,13 +291,15 @@ def table(cases, records, arguments, mitsuba):
     summary = (f"{len(cases)} scenes{'' if arguments.folder else ' of 64 x 48 or 64 x 64 pixels'}: {count['equal']} equal within {arguments.tolerance} %, "
                f"{count['noisy']} too noisy to tell, {count['ours is right']} differ and ours is right, {count['differs']} "
                f"differ{', %d are refused by a program' % count['refused'] if count['refused'] else ''}.")
+    page = arguments.markdown.name if arguments.markdown else "mitsuba-parameters.md"
+    only = f' --only "{arguments.only}"' if arguments.only else ""
     head = f"""# Parameters against Mitsuba {mitsuba.version}
 
 Printed by `harness/oracles/mitsuba_parameters.py`, which says how a line is measured:
 
 ```sh
 PYTHON harness/oracles/mitsuba_parameters.py build/release/bin/photonproof -o out/mitsuba-parameters \\
-    --markdown reports/published/mitsuba-parameters.md --most {arguments.most} --error {arguments.error}
+    --markdown reports/published/{page} --most {arguments.most} --error {arguments.error}{only}
 ```
 
 {summary}

@@ -249,12 +249,12 @@ TEST_F(PbrtScenes, an_example_of_several_files_is_rendered_converted_and_measure
 }
 
 TEST_F(PbrtScenes, problems_are_told_at_once_and_left_out_when_asked) {
-  put("bad.pbrt", "WorldBegin\nLightSource \"infinite\"\nShape \"curve\"\nShape \"sphere\"\nFoo 1\n");
+  put("bad.pbrt", "WorldBegin\nLightSource \"infinite\"\nShape \"torus\"\nShape \"sphere\"\nFoo 1\n");
   const ProcessOutcome strict = run({"render", "bad.pbrt", "-o", "a.exr"});
   EXPECT_EQ(strict.exit_code, 2);
   EXPECT_EQ(strict.standard_error,
-            "bad.pbrt:3:1: error: Shape 'curve': is not supported, expected trianglemesh, plymesh, bilinearmesh, "
-            "loopsubdiv, sphere, disk or cylinder\n"
+            "bad.pbrt:3:1: error: Shape 'torus': is not supported, expected trianglemesh, plymesh, bilinearmesh, "
+            "loopsubdiv, curve, sphere, disk or cylinder\n"
             "bad.pbrt:5:1: error: unknown directive 'Foo'\n"
             "2 obstacles; --lenient renders the scene without them\n");
   const ProcessOutcome lenient =
