@@ -19,8 +19,8 @@ std::unique_ptr<ImageFile> open_netpbm(const std::string& path);
 /// before memory is taken for it. Null for any other file.
 std::unique_ptr<ImageFile> open_plain_pfm(const std::string& path);
 
-/// A PFM of R, G and B, lowest row first, little-endian, of scale 1. It is written beside the target and renamed. Throws
-/// InputError when it cannot be written.
+/// A PFM of R, G and B, lowest row first, little-endian, of scale 1. It is written beside the target and renamed.
+/// Throws InputError when it cannot be written.
 void write_pfm(const std::string& path, const Image& image);
 
 }  // namespace photonproof::inline scenes_images

@@ -67,12 +67,10 @@ TEST(progress, as_json_is_an_object_a_line_at_most_two_a_second) {
   std::vector<nlohmann::json> objects;
   for (std::string line; std::getline(lines, line);) objects.push_back(nlohmann::json::parse(line));
   ASSERT_EQ(objects.size(), 4u);
-  EXPECT_EQ(objects[0], (nlohmann::json{{"seconds", 0.0},
-                                        {"done", 0},
-                                        {"total", 20},
-                                        {"fraction", 0},
-                                        {"seconds_left", nullptr},
-                                        {"phase", "a?"}}));
+  EXPECT_EQ(
+      objects[0],
+      (nlohmann::json{
+          {"seconds", 0.0}, {"done", 0}, {"total", 20}, {"fraction", 0}, {"seconds_left", nullptr}, {"phase", "a?"}}));
   EXPECT_EQ(objects[1]["done"], 5);
   EXPECT_NEAR(objects[1]["seconds_left"].get<double>(), 1.5, 1e-9);
   EXPECT_EQ(objects[2]["message"], "kept");
