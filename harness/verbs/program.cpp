@@ -1,3 +1,4 @@
+#include <fcntl.h>
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
@@ -22,9 +23,25 @@ void print_lines(const std::string& text) {
   for (std::string line; std::getline(lines, line);) std::fprintf(stderr, "%s\n", printable(line).c_str());
 }
 
+/// Opens closed standard streams, else the first file that is opened would get the number of one and its messages.
+void open_standard_streams() {
+  int file = 0;
+  while ((file = open("/dev/null", O_RDWR)) >= 0 && file <= STDERR_FILENO) {
+  }
+  if (file > STDERR_FILENO) close(file);
+}
+
+/// The exit code of a verb whose output on standard output has arrived; else 2 with a message.
+int with_output_written(int exit_code) {
+  if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return exit_code;
+  std::fprintf(stderr, "photonproof: standard output cannot be written\n");
+  return exit_code == 0 ? 2 : exit_code;
+}
+
 }  // namespace
 
 int run_program(CLI::App& program, int argc, char** argv, const int& exit_code) {
+  open_standard_streams();
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -49,7 +66,7 @@ int run_program(CLI::App& program, int argc, char** argv, const int& exit_code) 
     print_lines("photonproof: internal error: " + std::string(error.what()) + "\n");
     return 70;
   }
-  return exit_code;
+  return with_output_written(exit_code);
 }
 
 }  // namespace photonproof::inline harness_verbs

@@ -79,6 +79,16 @@ TEST_F(BenchVerb, good_run_says_where_everything_is) {
             std::string::npos);
 }
 
+TEST_F(BenchVerb, closed_standard_streams_do_not_reach_its_files) {
+  put("suite.toml", suite_text("grey", {}));
+  std::string command;
+  for (const std::string& part : argv({"--no-report"})) command += "'" + part + "' ";
+  EXPECT_EQ(run_process({"sh", "-c", command + "<&- >&- 2>&-"}, {.wall_limit_seconds = 60}).exit_code, 0);
+  const ProcessOutcome again = bench({"--no-report"});
+  EXPECT_EQ(again.exit_code, 0) << again.standard_error;
+  EXPECT_NE(again.standard_output.find("nothing to run"), std::string::npos) << again.standard_output;
+}
+
 TEST_F(BenchVerb, second_run_says_that_there_is_nothing_to_do) {
   put("suite.toml", suite_text("grey", {}));
   bench({"--no-report"});

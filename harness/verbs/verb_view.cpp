@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "harness/metrics/metrics.h"
+#include "harness/verbs/usage/name_hints.h"
 #include "harness/verbs/usage/verb_usage.h"
 #include "harness/verbs/verbs.h"
 #include "reports/page/viewer_page.h"
@@ -120,6 +121,7 @@ void add_view_verb(CLI::App& program, int& exit_code) {
   verb->add_option("-o,--output", options->output, "page to write")->capture_default_str();
   verb->add_option("--exposure", options->exposure, "stops to begin with")
       ->check(CLI::Range(-64.0, 64.0))
+      ->check(is_finite_number)
       ->type_name("STOPS")
       ->capture_default_str();
   verb->add_flag("--no-open", options->no_open, "only write the page; else xdg-open shows it where there is a screen");

@@ -49,6 +49,14 @@ TEST_F(ViewVerb, page_has_the_images_and_their_errors) {
   EXPECT_NE(get("view.html").find("<title>half.exr, dim.exr"), std::string::npos);
 }
 
+TEST_F(ViewVerb, output_that_does_not_arrive_is_an_error) {
+  put_image("a.exr", 2, 2, 1);
+  const ProcessOutcome outcome = run_process({"sh", "-c", "'" PHOTONPROOF_BINARY "' view a.exr --no-open >/dev/full"},
+                                             {.wall_limit_seconds = 60, .working_folder = folder_});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_EQ(outcome.standard_error, "photonproof: standard output cannot be written\n");
+}
+
 TEST_F(ViewVerb, files_of_one_name_have_their_paths_as_titles) {
   std::filesystem::create_directory(folder_ / "b");
   put_image("a.exr", 2, 2, 1);
@@ -71,6 +79,7 @@ TEST_F(ViewVerb, input_that_cannot_be_shown_is_one_error_and_no_page) {
   };
   EXPECT_EQ(message({"a.exr", "b.exr"}), "b.exr: error: is 3x2, but a.exr is 2x2: images of one view have one size\n");
   EXPECT_EQ(message({"long.exr"}), "long.exr: error: is 4097x1, expected at most 4096 pixels a side\n");
+  EXPECT_NE(message({"a.exr", "--exposure", "nan"}).find("--exposure"), std::string::npos);
   EXPECT_EQ(message({"missing.exr"}).substr(0, 19), "missing.exr: error:");
   EXPECT_EQ(message({"text.exr"}).substr(0, 16), "text.exr: error:");
   EXPECT_EQ(message({"a.exr", "-o", "a.exr"}),

@@ -138,6 +138,8 @@ int render_to_files(const RenderArguments& arguments) {
     throw InputError("--exposure", "is for a PNG, but " + arguments.output + " has the radiance itself");
   const std::string stats_path = stats_path_beside(arguments.stats_path, arguments.output, arguments.scene.path);
   const fs::path checkpoint = arguments.output + ".checkpoint";
+  if (same_file(stats_path, checkpoint))
+    throw InputError(stats_path, "the stats cannot go to the checkpoint's own file");
   for (const fs::path& file : {fs::path(arguments.output), fs::path(stats_path)}) remove_abandoned_temporaries(file);
 
   const Timer timer;

@@ -271,6 +271,14 @@ TEST_F(RenderVerb, writes_the_same_image_as_pfm_and_as_png) {
   }
 }
 
+TEST_F(RenderVerb, stats_do_not_go_to_the_checkpoint) {
+  const std::string file = path("a.png.checkpoint");
+  const ProcessOutcome outcome = render("a.png", {"--size", "4x4", "--spp", "1", "--stats", file});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_EQ(outcome.standard_error, file + ": error: the stats cannot go to the checkpoint's own file\n");
+  EXPECT_FALSE(has("a.png"));
+}
+
 TEST_F(RenderVerb, formats_that_it_does_not_write_are_one_sentence) {
   const auto message = [&](const std::string& output, const std::vector<std::string>& more) {
     const ProcessOutcome outcome = render(output, more);
