@@ -97,6 +97,26 @@ TEST(radiance_field, of_a_gaussian_is_its_projection) {
   EXPECT_GT(sum, 5);
 }
 
+TEST(radiance_field, is_the_same_at_any_size) {
+  const auto image_at = [](double unit) {
+    const auto u = static_cast<float>(unit);
+    Cloud cloud;
+    cloud.add({{0.2f * u, 0, -u}, {0.9f * u, 0.5f * u, 0.1f * u}}, 0.8f, {0, 1, 0.5f});
+    cloud.add({{0, 0.1f * u, u}, {0.3f * u, 0.3f * u, 0.2f * u}, {0.6f, 0, 0, 0.8f}}, 0.6f, {1, 0, 0.5f});
+    SceneDescription scene = scene_of(cloud);
+    test::set_camera(scene, Transform::look_at({0, 0, 5 * unit}, {0, 0, 0}, {0, 1, 0}), 40, pixels);
+    scene.sensor.camera = PerspectiveDescription{.fov_degrees = 40, .near_clip = 0.01 * unit, .far_clip = 100 * unit};
+    return middles(scene);
+  };
+  const Image expected = image_at(1);
+  ASSERT_GT(test::image_mean(expected), 0.05);
+  for (const int exponent : {-15, -9, -4, 5, 10, 15}) {
+    const Image image = image_at(std::pow(10.0, exponent));
+    for (std::size_t i = 0; i < expected.rgb.size(); ++i)
+      ASSERT_NEAR(image.rgb[i], expected.rgb[i], 1e-5) << "1e" << exponent << " " << i;
+  }
+}
+
 // Gaussians at z = 1 and -1, the second wide enough that pixels see both.
 TEST(radiance_field, of_two_is_blended_in_order) {
   Cloud cloud;

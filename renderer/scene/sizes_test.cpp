@@ -44,8 +44,14 @@ TEST_P(integrators_at_any_size, give_the_same_picture) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(all, integrators_at_any_size,
-                         ::testing::ValuesIn(plugin_names(decltype(IntegratorDescription::method)())),
+/// All but `volprim_rf_basic`, which shows none of these shapes' light (radiance_field_test.cpp).
+std::vector<const char*> names_of_integrators() {
+  std::vector<const char*> names = plugin_names(decltype(IntegratorDescription::method)());
+  std::erase_if(names, [](const char* name) { return std::string(name) == "volprim_rf_basic"; });
+  return names;
+}
+
+INSTANTIATE_TEST_SUITE_P(all, integrators_at_any_size, ::testing::ValuesIn(names_of_integrators()),
                          [](const auto& name) { return std::string(name.param); });
 
 TEST(sizes, of_the_library_are_ordinary) {
