@@ -44,7 +44,7 @@ TEST_P(integrators_at_any_size, give_the_same_picture) {
   }
 }
 
-/// All but `volprim_rf_basic`, which shows none of these shapes' light (radiance_field_test.cpp).
+/// The names without `volprim_rf_basic`, which shows none of these shapes' light (radiance_field_test.cpp).
 std::vector<const char*> names_of_integrators() {
   std::vector<const char*> names = plugin_names(decltype(IntegratorDescription::method)());
   std::erase_if(names, [](const char* name) { return std::string(name) == "volprim_rf_basic"; });
