@@ -5,14 +5,6 @@
 
 namespace photonproof::inline harness_pixels {
 
-double encode_srgb(double linear) {
-  return linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1 / 2.4) - 0.055;
-}
-
-double decode_srgb(double encoded) {
-  return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
-}
-
 std::vector<double> expose(const Image& image, double exposure) {
   const double scale = std::exp2(exposure);
   std::vector<double> linear(image.rgb.size());

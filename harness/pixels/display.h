@@ -4,19 +4,17 @@
 
 #include <vector>
 
+#include "scenes/base/srgb.h"
 #include "scenes/images/image.h"
 
 namespace photonproof::inline harness_pixels {
-
-/// The sRGB transfer function and its inverse (IEC 61966-2-1), both from [0,1] to [0,1].
-double encode_srgb(double linear);
-double decode_srgb(double encoded);
 
 /// min(1, max(0, 2^exposure * v)) of every value: still linear, interleaved RGB as in Image. Precondition: 2^exposure
 /// and the image are finite.
 std::vector<double> expose(const Image& image, double exposure);
 
-/// encode_srgb of every value.
+using scenes_base::encode_srgb;
+/// The same of every value.
 std::vector<double> encode_srgb(const std::vector<double>& linear);
 
 }  // namespace photonproof::inline harness_pixels

@@ -92,7 +92,7 @@ std::optional<MadeReference> made_by_engine(const AnySuite& suite, const SuiteSc
   EngineDraw draw{.program = fs::read_symlink("/proc/self/exe"), .interrupt = &interrupt_flag()};
   Progress progress(progress_mode);
   draw.progress = [&](std::size_t done, std::size_t total) {
-    progress.at({static_cast<double>(done), static_cast<double>(total), engine->name, "images"});
+    progress.at(counted(done, total, engine->name, "images"));
   };
   return reference_by_engine(suite.common, scene,
                              {*engine, budget_for(suite, scene, *engine, arguments.budget), arguments.images}, draw);

@@ -56,14 +56,14 @@ class BenchProgressLines : public BenchObserver {
  public:
   explicit BenchProgressLines(const std::string& mode) : progress_(mode) {}
   void starts(std::size_t number, std::size_t total, const Cell& cell) override {
-    progress_.at({static_cast<double>(number) - 1, static_cast<double>(total), cell.label(), "cells"});
+    progress_.at(counted(number - 1, total, cell.label(), "cells"));
   }
   void ended(std::size_t number, std::size_t total, const Result& result) override {
     const std::string what = result.cell.label() + " " + ending_of(result);
     if (progress_.rewrites() && result.status == Status::ok)
-      progress_.at({static_cast<double>(number), static_cast<double>(total), what, "cells"});
+      progress_.at(counted(number, total, what, "cells"));
     else
-      progress_.say("[" + std::to_string(number) + "/" + std::to_string(total) + "] " + what);
+      progress_.say(numbered(number, total) + what);
   }
   void changed(const ChangeRecord& change) override {
     progress_.say(change.scene + "/" + change.engine + "/" + change.budget.label() + ": " + change.sentence);

@@ -47,19 +47,16 @@ class ProgressLines : public GateObserver {
  public:
   explicit ProgressLines(const std::string& mode) : progress_(mode) {}
   void draws(std::size_t drawn, std::size_t total) override {
-    progress_.at({static_cast<double>(drawn), static_cast<double>(total), "first looks", "images"});
+    progress_.at(counted(drawn, total, "first looks", "images"));
   }
   void looks(std::size_t number, std::size_t total, const Gate& gate, std::size_t images) override {
-    progress_.at({.phase = place(number, total) + gate.name + ": " + std::to_string(images) + " images"});
+    progress_.at({.phase = numbered(number, total) + gate.name + ": " + std::to_string(images) + " images"});
   }
   void ended(std::size_t number, std::size_t total, const GateRecord& record) override {
-    progress_.say(place(number, total) + to_string(record.verdict) + " " + record.name + ": " + record.sentence);
+    progress_.say(numbered(number, total) + to_string(record.verdict) + " " + record.name + ": " + record.sentence);
   }
 
  private:
-  static std::string place(std::size_t number, std::size_t total) {
-    return "[" + std::to_string(number) + "/" + std::to_string(total) + "] ";
-  }
   Progress progress_;
 };
 

@@ -52,9 +52,6 @@ struct ReferenceArguments {
   bool fresh = false;
   bool json = false;
   std::string progress = "auto";
-  bool quiet = false;
-
-  std::string progress_mode() const { return quiet ? "none" : progress; }
   SuiteReferenceArguments suite;
 };
 
@@ -174,7 +171,7 @@ ReferenceProgress render(const Job& job, const std::string& integrator, double s
   run.threads = job.arguments.threads;
   run.folder = job.folder / (integrator + "-" + version.hex());
   run.interrupt = &interrupt_flag();
-  Progress progress(job.arguments.progress_mode());
+  Progress progress(job.arguments.progress);
   run.progress = [line = progress.callback(), &run](const BatchMeans& means, std::optional<double> error) {
     if (!line) return;
     // The square of the error falls as one over the batches; the least number of them takes as long as it takes.
@@ -219,7 +216,7 @@ void find_witness(const Job& job, const Rendering& rendering, Provenance& proven
   const std::string witness = witness_for(job.scene, provenance.estimator, expect_of(job),
                                           [&](const std::string& name) { return refusal_of(job, name, true); });
   if (witness.empty()) {
-    if (!job.arguments.quiet)
+    if (job.arguments.progress != "none")
       std::fprintf(stderr, "no second estimator: only %s's way of finding light renders this scene\n",
                    provenance.estimator.c_str());
     return;
@@ -348,7 +345,7 @@ int reference_of(const ReferenceArguments& arguments) {
 int make_reference(const ReferenceArguments& arguments) {
   if (arguments.suite.any() || fs::path(arguments.scene.path).extension() == ".toml")
     return make_suite_reference(arguments.scene.path, arguments.suite, arguments.reason, arguments.json,
-                                arguments.progress_mode());
+                                arguments.progress);
   try {
     return reference_of(arguments);
   } catch (const NoWitnessYet& late) {
@@ -407,7 +404,7 @@ void add_reference_options(CLI::App& verb, ReferenceArguments& arguments) {
   verb.add_flag("--fresh", arguments.fresh, "begin anew, without what the cache has");
   verb.add_option("--threads", arguments.threads, "worker threads (default: every core)")->check(CLI::Range(0, 1024));
   add_progress_option(verb, arguments.progress);
-  verb.add_flag("--quiet", arguments.quiet, "the same as --progress none");
+  add_quiet_option(verb, arguments.progress);
 }
 
 }  // namespace

@@ -16,6 +16,7 @@
 #include "reports/page/viewer_page.h"
 #include "scenes/base/input_error.h"
 #include "scenes/base/process.h"
+#include "scenes/base/size_text.h"
 #include "scenes/base/text_numbers.h"
 #include "scenes/description/output_files.h"
 
@@ -32,14 +33,12 @@ struct ViewOptions {
   bool no_open = false;
 };
 
-std::string size_text(const Image& image) { return std::to_string(image.width) + "x" + std::to_string(image.height); }
-
 ViewedImage viewed(const std::string& file) {
   ViewedImage made{fs::path(file).filename().string(), "", read_image(file)};
   if (made.image.width > largest_viewed || made.image.height > largest_viewed)
-    throw InputError(file, "is " + size_text(made.image) + ", expected at most " + std::to_string(largest_viewed) +
-                               " pixels a side");
-  made.caption = size_text(made.image);
+    throw InputError(file, "is " + size_text(made.image.width, made.image.height) + ", expected at most " +
+                               std::to_string(largest_viewed) + " pixels a side");
+  made.caption = size_text(made.image.width, made.image.height);
   return made;
 }
 
@@ -72,8 +71,9 @@ ViewerPage page_of(const ViewOptions& options) {
     if (!page.images.empty()) {
       const ViewedImage& first = page.images.front();
       if (image.image.width != first.image.width || image.image.height != first.image.height)
-        throw InputError(file, "is " + size_text(image.image) + ", but " + files.front() + " is " +
-                                   size_text(first.image) + ": images of one view have one size");
+        throw InputError(file, "is " + size_text(image.image.width, image.image.height) + ", but " + files.front() +
+                                   " is " + size_text(first.image.width, first.image.height) +
+                                   ": images of one view have one size");
       if (page.reference) image.caption = error_text(first.image, image.image);
     }
     page.images.push_back(std::move(image));

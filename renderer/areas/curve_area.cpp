@@ -12,7 +12,6 @@ namespace photonproof::inline renderer_areas {
 namespace {
 
 constexpr std::size_t cuts_of_bspline = 8;  ///< cones of a segment
-constexpr std::uint32_t most_in_leaf = 4;
 
 /// Gauss-Legendre quadrature of eight points on [-1, 1].
 constexpr std::array<double, 8> nodes{-0.9602898564975363, -0.7966664774136267, -0.5255324099163290,
@@ -38,8 +37,6 @@ double half_arc(double radius, double off, double reach) {
   return rest >= twice ? 0 : std::acos(rest / twice);
 }
 
-float coordinate(const Vec3f& v, int axis) { return axis == 0 ? v.x : axis == 1 ? v.y : v.z; }
-
 }  // namespace
 
 struct CurveArea::Gather {
@@ -48,15 +45,27 @@ struct CurveArea::Gather {
 };
 
 CurveArea::CurveArea(const Curves& curves) {
-  cut(curves);
-  if (!pieces_.empty()) build(0, static_cast<std::uint32_t>(pieces_.size()));
+  const std::vector<Piece> pieces = cut(curves);
+  std::vector<BoxTree::Part> parts;
+  parts.reserve(pieces.size());
+  for (const Piece& piece : pieces) {
+    const Vec3f reach(piece.radius), far = piece.start + piece.axis * piece.length;
+    BoxTree::Part& part = parts.emplace_back(BoxTree::Part{{}, piece.start});
+    part.box.add({piece.start - reach, piece.start + reach});
+    part.box.add({far - reach, far + reach});
+  }
+  std::vector<std::uint32_t> order;
+  tree_ = BoxTree(parts, order);
+  pieces_.reserve(pieces.size());
+  for (const std::uint32_t i : order) pieces_.push_back(pieces[i]);
 }
 
-void CurveArea::cut(const Curves& curves) {
+std::vector<CurveArea::Piece> CurveArea::cut(const Curves& curves) {
+  std::vector<Piece> pieces;
   const std::size_t cuts = curves.linear ? 1 : cuts_of_bspline;
   const auto add_end = [&](const CurveFrame& at, double side) {
     if (at.radius > 0 && length(at.along) > 0)
-      pieces_.push_back({Vec3f(at.center), Vec3f(normalize(at.along) * side), 0, static_cast<float>(at.radius), 1});
+      pieces.push_back({Vec3f(at.center), Vec3f(normalize(at.along) * side), 0, static_cast<float>(at.radius), 1});
   };
   for (std::size_t i = 0; i < curves.segments.size(); ++i) {
     for (std::size_t k = 0; k < cuts; ++k) {
@@ -65,38 +74,15 @@ void CurveArea::cut(const Curves& curves) {
       const Vec3d axis = to.center - from.center;
       const double run = length(axis), rise = to.radius - from.radius, radius = (from.radius + to.radius) / 2;
       if (!(run > 0 && radius > 0)) continue;
-      pieces_.push_back({Vec3f(from.center), Vec3f(axis / run), static_cast<float>(run), static_cast<float>(radius),
-                         static_cast<float>(std::sqrt(1 + rise * rise / (run * run)))});
+      pieces.push_back({Vec3f(from.center), Vec3f(axis / run), static_cast<float>(run), static_cast<float>(radius),
+                        static_cast<float>(std::sqrt(1 + rise * rise / (run * run)))});
     }
     if (!curves.linear) continue;
     const std::uint32_t first = curves.segments[i];
     if (i == 0 || curves.segments[i - 1] + 1 != first) add_end(curve_frame(curves, i, 0), -1);
     if (i + 1 == curves.segments.size() || first + 1 != curves.segments[i + 1]) add_end(curve_frame(curves, i, 1), 1);
   }
-}
-
-void CurveArea::build(std::uint32_t begin, std::uint32_t end) {
-  const std::size_t here = nodes_.size();
-  ShapeBox box, middles;
-  for (std::uint32_t i = begin; i < end; ++i) {
-    const Piece& piece = pieces_[i];
-    const Vec3f reach(piece.radius), far = piece.start + piece.axis * piece.length;
-    box.add({piece.start - reach, piece.start + reach});
-    box.add({far - reach, far + reach});
-    middles.add(piece.start);
-  }
-  nodes_.push_back({box.low, box.high, begin, end, 0});
-  if (end - begin <= most_in_leaf) return;
-  const Vec3f extent = middles.high - middles.low;
-  const int axis = extent.x >= extent.y ? (extent.x >= extent.z ? 0 : 2) : (extent.y >= extent.z ? 1 : 2);
-  const std::uint32_t middle = begin + (end - begin) / 2;
-  const auto at = [&](std::uint32_t i) { return pieces_.begin() + static_cast<std::ptrdiff_t>(i); };
-  std::nth_element(at(begin), at(middle), at(end), [axis](const Piece& a, const Piece& b) {
-    return coordinate(a.start, axis) < coordinate(b.start, axis);
-  });
-  build(begin, middle);
-  nodes_[here].right = static_cast<std::uint32_t>(nodes_.size());
-  build(middle, end);
+  return pieces;
 }
 
 // Along a line of the cylinder, the part in the ball and between the two planes is an interval. Over the angle about
@@ -175,23 +161,10 @@ double CurveArea::of_end(const Gather& at, const Piece& piece) {
 double CurveArea::within(const Vec3f& p, const Vec3f& outward, float radius) const {
   const Gather at{Vec3d(p), Vec3d(outward), double{radius}, double{sheet_height} * double{radius}};
   double area = 0;
-  std::array<std::uint32_t, 64> waiting;
-  std::size_t count = 0;
-  if (!nodes_.empty()) waiting[count++] = 0;
-  while (count > 0) {
-    const std::uint32_t here = waiting[--count];
-    const Node& node = nodes_[here];
-    const Vec3f nearest{std::clamp(p.x, node.low.x, node.high.x), std::clamp(p.y, node.low.y, node.high.y),
-                        std::clamp(p.z, node.low.z, node.high.z)};
-    if (length_squared(nearest - p) > radius * radius) continue;
-    if (node.right != 0) {
-      waiting[count++] = node.right;
-      waiting[count++] = here + 1;
-      continue;
-    }
-    for (std::uint32_t i = node.begin; i < node.end; ++i)
-      area += pieces_[i].length > 0 ? of_cone(at, pieces_[i]) : of_end(at, pieces_[i]);
-  }
+  tree_.visit_near(p, radius, [&](std::uint32_t place) {
+    const Piece& piece = pieces_[place];
+    area += piece.length > 0 ? of_cone(at, piece) : of_end(at, piece);
+  });
   return area;
 }
 

@@ -2,9 +2,10 @@
 // pass the surface side's test. Tubes are cut into short cones. A tree over their boxes finds those near a gather.
 #pragma once
 
-#include <cstdint>
+#include <cstddef>
 #include <vector>
 
+#include "renderer/areas/box_tree.h"
 #include "renderer/shapes/curves.h"
 
 namespace photonproof::inline renderer_areas {
@@ -18,7 +19,7 @@ class CurveArea {
   /// to 1e-3. Tubes that enter each other count whole, and so do the joints of a polyline that its cones leave open.
   double within(const Vec3f& p, const Vec3f& outward, float radius) const;
 
-  std::size_t memory_bytes() const { return pieces_.capacity() * sizeof(Piece) + nodes_.capacity() * sizeof(Node); }
+  std::size_t memory_bytes() const { return pieces_.capacity() * sizeof(Piece) + tree_.memory_bytes(); }
 
  private:
   /// A cone, or the half of a ball at an end: that has no length, and its axis points out.
@@ -27,20 +28,14 @@ class CurveArea {
     float length = 0, radius = 0;
     float slant = 1;  ///< factor on the cylinder's area
   };
-  struct Node {
-    Vec3f low, high;
-    std::uint32_t begin = 0, end = 0;  ///< its pieces
-    std::uint32_t right = 0;           ///< the second child; the first follows the node. 0 at a leaf
-  };
   struct Gather;
 
-  void cut(const Curves& curves);
-  void build(std::uint32_t begin, std::uint32_t end);
+  static std::vector<Piece> cut(const Curves& curves);
   static double of_cone(const Gather& at, const Piece& piece);
   static double of_end(const Gather& at, const Piece& piece);
 
-  std::vector<Piece> pieces_;
-  std::vector<Node> nodes_;
+  std::vector<Piece> pieces_;  ///< by their places in the tree
+  BoxTree tree_;
 };
 
 }  // namespace photonproof::inline renderer_areas

@@ -1,6 +1,5 @@
 #include "renderer/areas/ellipsoid_area.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -12,11 +11,8 @@
 namespace photonproof::inline renderer_areas {
 namespace {
 
-constexpr std::uint32_t most_ellipsoids_in_leaf = 4;
 constexpr int points_of_other = 256;  ///< for an ellipsoid that the gather is not on
 constexpr double golden_angle = 2.39996322972865332;
-
-double axis_value(const Vec3f& v, int axis) { return double{axis == 0 ? v.x : axis == 1 ? v.y : v.z}; }
 
 /// The gradient of half the squared distance from the centre in scales, at that offset in scales.
 Vec3d gradient(const Ellipsoids::Place& place, const Vec3d& unit) {
@@ -118,32 +114,15 @@ double area_by_points(const Ellipsoids::Place& place, const Vec3d& p, const Vec3
 }  // namespace
 
 EllipsoidArea::EllipsoidArea(const Ellipsoids& ellipsoids) : ellipsoids_(ellipsoids) {
-  for (std::uint32_t i = 0; i < ellipsoids.places.size(); ++i)
-    if (ellipsoids.places[i].reach > 0) order_.push_back(i);
-  if (!order_.empty()) build(0, static_cast<std::uint32_t>(order_.size()));
-}
-
-void EllipsoidArea::build(std::uint32_t begin, std::uint32_t end) {
-  const std::size_t here = nodes_.size();
-  ShapeBox box, middles;
-  for (std::uint32_t i = begin; i < end; ++i) {
-    box.add(box_around(ellipsoids_.places[order_[i]]));
-    middles.add(ellipsoids_.places[order_[i]].center);
+  std::vector<std::uint32_t> numbers;  // of those that have a surface
+  std::vector<BoxTree::Part> parts;
+  for (std::uint32_t i = 0; i < ellipsoids.places.size(); ++i) {
+    if (!(ellipsoids.places[i].reach > 0)) continue;
+    numbers.push_back(i);
+    parts.push_back({box_around(ellipsoids.places[i]), ellipsoids.places[i].center});
   }
-  nodes_.push_back({box.low, box.high, begin, end, 0});
-  if (end - begin <= most_ellipsoids_in_leaf) return;
-  const Vec3f extent = middles.high - middles.low;
-  const int axis = extent.x >= extent.y ? (extent.x >= extent.z ? 0 : 2) : (extent.y >= extent.z ? 1 : 2);
-  const std::uint32_t middle = begin + (end - begin) / 2;
-  const auto at = [&](std::uint32_t i) { return order_.begin() + static_cast<std::ptrdiff_t>(i); };
-  std::nth_element(at(begin), at(middle), at(end), [&](std::uint32_t a, std::uint32_t b) {
-    const double of_a = axis_value(ellipsoids_.places[a].center, axis);
-    const double of_b = axis_value(ellipsoids_.places[b].center, axis);
-    return of_a != of_b ? of_a < of_b : a < b;
-  });
-  build(begin, middle);
-  nodes_[here].right = static_cast<std::uint32_t>(nodes_.size());
-  build(middle, end);
+  tree_ = BoxTree(parts, order_);
+  for (std::uint32_t& place : order_) place = numbers[place];
 }
 
 double EllipsoidArea::part_of(const Gather& at, const Ellipsoids::Place& place) {
@@ -161,22 +140,7 @@ double EllipsoidArea::part_of(const Gather& at, const Ellipsoids::Place& place) 
 double EllipsoidArea::within(const Vec3f& p, const Vec3f& outward, float radius) const {
   const Gather at{Vec3d(p), Vec3d(outward), double{radius}};
   double area = 0;
-  std::array<std::uint32_t, 64> waiting;
-  std::size_t count = 0;
-  if (!nodes_.empty()) waiting[count++] = 0;
-  while (count > 0) {
-    const std::uint32_t here = waiting[--count];
-    const Node& node = nodes_[here];
-    const Vec3f nearest{std::clamp(p.x, node.low.x, node.high.x), std::clamp(p.y, node.low.y, node.high.y),
-                        std::clamp(p.z, node.low.z, node.high.z)};
-    if (length_squared(nearest - p) > radius * radius) continue;
-    if (node.right != 0) {
-      waiting[count++] = node.right;
-      waiting[count++] = here + 1;
-      continue;
-    }
-    for (std::uint32_t i = node.begin; i < node.end; ++i) area += part_of(at, ellipsoids_.places[order_[i]]);
-  }
+  tree_.visit_near(p, radius, [&](std::uint32_t place) { area += part_of(at, ellipsoids_.places[order_[place]]); });
   return area;
 }
 

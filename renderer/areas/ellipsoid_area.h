@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "renderer/areas/box_tree.h"
 #include "renderer/shapes/ellipsoids.h"
 
 namespace photonproof::inline renderer_areas {
@@ -20,19 +21,13 @@ class EllipsoidArea {
   double within(const Vec3f& p, const Vec3f& outward, float radius) const;
 
  private:
-  struct Node {
-    Vec3f low, high;
-    std::uint32_t begin = 0, end = 0;  ///< its ellipsoids in `order_`
-    std::uint32_t right = 0;           ///< the second child; the first follows the node. 0 at a leaf
-  };
   struct Gather;
 
-  void build(std::uint32_t begin, std::uint32_t end);
   static double part_of(const Gather& at, const Ellipsoids::Place& place);
 
   const Ellipsoids& ellipsoids_;
-  std::vector<std::uint32_t> order_;
-  std::vector<Node> nodes_;
+  std::vector<std::uint32_t> order_;  ///< numbers of ellipsoids by their places in the tree
+  BoxTree tree_;
 };
 
 }  // namespace photonproof::inline renderer_areas

@@ -238,10 +238,7 @@ class Writer {
     Row head{""}, images{"image"}, flips{"FLIP"}, errors{"relative error"}, captions{""};
     const auto add = [&](const std::string& title, const std::string& caption,
                          const std::map<std::string, std::string>& pictures, const std::string& what) {
-      const auto file = [&](const char* role) {
-        const auto found = pictures.find(role);
-        return found == pictures.end() ? std::string() : found->second;
-      };
+      const auto file = [&](const char* role) { return picture_file(pictures, role); };
       head.push_back(markdown_text(title));
       captions.push_back(markdown_text(caption));
       images.push_back(picture(file("image"), what));

@@ -1,10 +1,11 @@
-// One row per scene, engine and budget that finished, with a column for each number: for
-// spreadsheets and data frames that plot without a pivot. Columns of a row:
-//   seeds     finished cells
-//   clock     wall or processor, of `seconds`
-//   seconds, relmse       median and mean over seeds, with the ends of their 95 % intervals; means of cells without a
-//   curve bias2, variance       as in the tidy form verdict   right, noisy, biased or unknown; empty without one METRIC
-//   mean over the finished cells, for each metric of the record
+// A row for each scene, engine and budget that finished, with a column for each number. Spreadsheets and data frames
+// plot it without a pivot.
+//
+// `seeds` counts the finished cells. `clock` is that of `seconds`, wall or processor.
+// `seconds` and `relmse` are those of the curve: median and mean over seeds, with the ends of their 95 % intervals.
+// Without a curve they are means of the cells.
+// `bias2` and `variance` are as in the tidy form. `verdict` is right, noisy, biased or unknown, and empty without one.
+// Each further column is a metric of the record, its mean over the finished cells.
 #include <fmt/format.h>
 
 #include <algorithm>

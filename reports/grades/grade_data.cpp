@@ -12,6 +12,7 @@
 #include "reports/page/templates.h"
 #include "reports/view/numbers.h"
 #include "reports/view/text.h"
+#include "reports/view/view.h"
 
 namespace photonproof::reports::inline reports_grades {
 namespace {
@@ -23,11 +24,6 @@ struct Shot {
   const char* title;
   std::string file;
 };
-
-std::string file_of_role(const SceneGrade& grade, const char* role) {
-  const auto found = grade.pictures.find(role);
-  return found == grade.pictures.end() ? std::string() : found->second;
-}
 
 /// A box over the picture, in percent of its sides.
 data mark_data(const GradedFinding& finding, const GradedScene& scene, std::size_t number) {
@@ -60,9 +56,9 @@ data marks_data(const GradedScene& scene, const SceneGrade& grade) {
 
 data shots_data(const GradedScene& scene, const SceneGrade& grade, const PictureSource& picture,
                 const std::string& title) {
-  const Shot shots[] = {{"submitted", "submitted", file_of_role(grade, "image")},
+  const Shot shots[] = {{"submitted", "submitted", picture_file(grade.pictures, "image")},
                         {"reference", "reference", scene.reference_picture},
-                        {"flip", "FLIP: where they differ", file_of_role(grade, "flip")}};
+                        {"flip", "FLIP: where they differ", picture_file(grade.pictures, "flip")}};
   data list(data::type::list);
   for (const Shot& shot : shots) {
     if (shot.file.empty() && std::string_view(shot.role) == "flip") continue;
@@ -166,7 +162,7 @@ data scene_block(const GradedScene& scene, const SceneGrade& grade, const Pictur
   block.set("sentence", sentence_data(grade));
   block.set("has_findings", !grade.findings.empty());
   block.set("findings", findings_data(scene, grade));
-  const bool has_shots = !file_of_role(grade, "image").empty();
+  const bool has_shots = !picture_file(grade.pictures, "image").empty();
   block.set("has_shots", has_shots);
   block.set("shots", has_shots ? shots_data(scene, grade, picture, title) : data(data::type::list));
   block.set("has_checks", !grade.checks.empty());

@@ -65,10 +65,8 @@ data column_data(const GradedScene& scene, const fs::path& folder) {
 data cell_data(const GradedScene& scene, const SceneGrade* grade, const fs::path& folder, const std::string& id) {
   const SceneGrade none;
   const SceneGrade& shown = grade == nullptr ? none : *grade;
-  const auto image = shown.pictures.find("image");
   data cell;
-  set_thumbnail(cell, folder, image == shown.pictures.end() ? "" : image->second,
-                staff_title(scene) + ": " + verdict_words(shown));
+  set_thumbnail(cell, folder, picture_file(shown.pictures, "image"), staff_title(scene) + ": " + verdict_words(shown));
   cell.set("anchor", grade == nullptr ? data(false) : data(id));
   cell.set("class", verdict_class(shown.verdict));
   cell.set("symbol", verdict_symbol(shown.verdict));

@@ -19,11 +19,6 @@ struct Role {
 };
 constexpr Role map_roles[] = {{"flip", "FLIP map", "FLIP"}, {"error", "relative error map", "relative error"}};
 
-std::string file_of(const SceneImage& image, const char* role) {
-  const auto found = image.pictures.find(role);
-  return found == image.pictures.end() ? std::string() : found->second;
-}
-
 struct Embedded {
   EmbeddedPicture image;
   std::vector<EmbeddedPicture> maps;  ///< one for each of map_roles, empty when the image has none
@@ -43,10 +38,10 @@ std::vector<Embedded> embed_all(const std::vector<SceneImage>& images, const fs:
   };
   for (const SceneImage& image : images) {
     Embedded& embedded = all.emplace_back();
-    embedded.image =
-        image.problem.empty() ? embed(file_of(image, "image")) : EmbeddedPicture{{}, 0, 0, image.problem, false};
+    embedded.image = image.problem.empty() ? embed(picture_file(image.pictures, "image"))
+                                           : EmbeddedPicture{{}, 0, 0, image.problem, false};
     if (image.is_reference || !image.problem.empty() || !with_maps) continue;
-    for (const Role& role : map_roles) embedded.maps.push_back(embed(file_of(image, role.name)));
+    for (const Role& role : map_roles) embedded.maps.push_back(embed(picture_file(image.pictures, role.name)));
   }
   if (!any_reduced) side = 0;
   return all;

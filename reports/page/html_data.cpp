@@ -57,11 +57,6 @@ void set_picture(data& object, const EmbeddedPicture& picture, const std::string
   object.set("alt", printable(alt));
 }
 
-std::string picture_file(const Result& result, const std::string& role) {
-  const auto found = result.pictures.find(role);
-  return found == result.pictures.end() ? std::string() : found->second;
-}
-
 std::string metric_text(const Result& result, const std::string& name) {
   return or_dash(metric(result, name), [&](double value) { return format_metric(name, value); });
 }

@@ -26,9 +26,6 @@ void set_cell(kainjow::mustache::data& object, const Cell& cell);
 /// Sets the values of picture_img.mustache.
 void set_picture(kainjow::mustache::data& object, const EmbeddedPicture& picture, const std::string& alt);
 
-/// The file of a picture's role, empty when the cell has none.
-std::string picture_file(const Result& result, const std::string& role);
-
 /// A metric of the cell as its column shows it, or the dash.
 std::string metric_text(const Result& result, const std::string& name);
 

@@ -59,8 +59,8 @@ data outcome_data(const View& view, const SceneView& scene, const EngineOutcome&
   out.set("sort", data(false));
   if (outcome.shown) {
     const Result& result = *outcome.shown;
-    data shown =
-        shown_data(folder, picture_file(result, "image"), result.cell.scene + " by " + result.cell.engine, bytes);
+    data shown = shown_data(folder, picture_file(result.pictures, "image"),
+                            result.cell.scene + " by " + result.cell.engine, bytes);
     shown.set("wall", seconds_text(result.wall_seconds));
     shown.set("relmse", metric_text(result, "relmse") + doubt_mark(scene));
     shown.set("ssim", metric_text(result, "ssim") + doubt_mark(scene));

@@ -28,32 +28,24 @@ struct Strip {
   std::vector<Shown> images, maps;
 };
 
-const SceneView* scene_named(const View& view, const std::string& name) {
-  const auto found = std::ranges::find(view.scenes, name, [](const SceneView& s) { return s.record.name; });
-  return found == view.scenes.end() ? nullptr : &*found;
-}
-
 void add(Strip& strip, const View& view, const Result& result) {
   const std::size_t engine = engine_index(view, result.cell.engine);
   const std::string name = view.engines[engine].name;
-  strip.images.push_back({picture_file(result, "image"), name,
+  strip.images.push_back({picture_file(result.pictures, "image"), name,
                           budget_text(result.cell.budget) + ", " + seconds_text(result.wall_seconds) + " s, relMSE " +
                               metric_text(result, "relmse") + doubt_mark(*strip.scene),
                           engine});
-  if (const std::string flip = picture_file(result, "flip"); !flip.empty())
+  if (const std::string flip = picture_file(result.pictures, "flip"); !flip.empty())
     strip.maps.push_back({flip, "difference of " + name, "FLIP " + metric_text(result, "flip"), engine});
 }
 
 Strip strip_of_gate(const View& view, const GateRecord& gate) {
-  Strip strip{scene_named(view, gate.scene), {}, {}};
-  const auto file = [&](const char* role) {
-    const auto found = gate.pictures.find(role);
-    return found == gate.pictures.end() ? std::string() : found->second;
-  };
-  if (strip.scene == nullptr || file("image").empty()) return {};
+  Strip strip{find_scene(view, gate.scene), {}, {}};
+  const std::string image = picture_file(gate.pictures, "image"), flip = picture_file(gate.pictures, "flip");
+  if (strip.scene == nullptr || image.empty()) return {};
   strip.images.push_back(
-      {file("image"), gate.engine, to_string(gate.verdict) + ", gate " + gate.name, engine_index(view, gate.engine)});
-  if (!file("flip").empty()) strip.maps.push_back({file("flip"), "difference", "FLIP"});
+      {image, gate.engine, to_string(gate.verdict) + ", gate " + gate.name, engine_index(view, gate.engine)});
+  if (!flip.empty()) strip.maps.push_back({flip, "difference", "FLIP"});
   return strip;
 }
 
@@ -63,13 +55,14 @@ std::vector<const Result*> pictured(const SceneView& scene, const View& view, co
   for (const EngineOutcome& outcome : scene.engines)
     if (view.engines[outcome.engine].name == engine)
       for (const Result* cell : outcome.cells)
-        if (cell->status == Status::ok && cell->wall_seconds.value_or(0) > 0 && !picture_file(*cell, "image").empty())
+        if (cell->status == Status::ok && cell->wall_seconds.value_or(0) > 0 &&
+            !picture_file(cell->pictures, "image").empty())
           cells.push_back(cell);
   return cells;
 }
 
 Strip strip_of_race(const View& view, const RaceRecord& race) {
-  Strip strip{scene_named(view, race.scene), {}, {}};
+  Strip strip{find_scene(view, race.scene), {}, {}};
   if (strip.scene == nullptr || race.times.size() < 2) return {};
   const Result *first = nullptr, *second = nullptr;
   double nearest = 0;
@@ -89,7 +82,8 @@ Strip strip_of_scene(const View& view, const SceneView& scene) {
   Strip strip{&scene, {}, {}};
   constexpr std::size_t most = 2;
   for (const EngineOutcome& outcome : scene.engines)
-    if (outcome.shown != nullptr && !picture_file(*outcome.shown, "image").empty() && strip.images.size() < most)
+    if (outcome.shown != nullptr && !picture_file(outcome.shown->pictures, "image").empty() &&
+        strip.images.size() < most)
       add(strip, view, *outcome.shown);
   return strip;
 }

@@ -58,9 +58,7 @@ SceneImage gate_image(const View& view, const GateRecord& gate) {
 }
 
 std::string picture_of_gate(const GateRecord& gate) {
-  if (!gate.image.empty()) return gate.image;
-  const auto found = gate.pictures.find("image");
-  return found == gate.pictures.end() ? std::string() : found->second;
+  return gate.image.empty() ? picture_file(gate.pictures, "image") : gate.image;
 }
 
 }  // namespace

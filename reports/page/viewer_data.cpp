@@ -6,7 +6,6 @@
 #include <functional>
 #include <nlohmann/json.hpp>
 
-#include "reports/page/pixel_data.h"
 #include "reports/view/engine_style.h"
 #include "reports/view/text.h"
 
@@ -47,59 +46,56 @@ std::vector<RankedTile> scene_tiles(const SceneView& scene) {
   return tiles;
 }
 
-std::string viewer_json(const View& view, const SceneView& scene, const std::vector<SceneImage>& images,
-                        const std::filesystem::path& folder, const std::string& id, std::size_t allowance) {
-  std::vector<PixelSource> sources;
-  for (const SceneImage& image : images) {
-    const auto picture = image.pictures.find("image");
-    const auto flip = image.pictures.find("flip");
-    sources.push_back({image.image, picture == image.pictures.end() ? std::string() : picture->second,
-                       flip == image.pictures.end() ? std::string() : flip->second});
-  }
-  const PixelDataSet set = pixel_data(folder, sources, scene.record.exposure, allowance);
+std::string viewer_json(const std::string& name, double exposure, const std::vector<SceneImage>& images,
+                        const PixelDataSet& pixels, const std::string& id, const std::vector<ViewerTile>& tiles) {
   json shown = json::array(), notes = json::array();
   std::vector<std::optional<std::size_t>> place(images.size());  // in `shown`
   int width = 0, height = 0;
   for (std::size_t i = 0; i < images.size(); ++i) {
-    const PixelData& pixels = set.images[i];
-    if (pixels.base64.empty()) continue;
+    const PixelData& own = pixels.images[i];
+    if (own.base64.empty()) continue;
     if (width == 0) {
-      width = pixels.width;
-      height = pixels.height;
-    } else if (width != pixels.width || height != pixels.height) {
+      width = own.width;
+      height = own.height;
+    } else if (width != own.width || height != own.height) {
       notes.push_back(printable(images[i].title) + " has another size and is left out.");
       continue;
     }
-    if (pixels.from_picture) notes.push_back(printable(images[i].title) + " is from an 8-bit picture.");
+    if (own.from_picture) notes.push_back(printable(images[i].title) + " is from an 8-bit picture.");
     place[i] = shown.size();
-    shown.push_back(image_json(images[i], pixels, id, i));
+    shown.push_back(image_json(images[i], own, id, i));
   }
   if (shown.empty()) return {};
-  if (set.reduced_by > 1) {
+  if (pixels.reduced_by > 1) {
     notes.push_back(fmt::format("To keep the page small, {0} × {0} pixels of the renders are averaged into one here.",
-                                set.reduced_by));
+                                pixels.reduced_by));
   }
-  json tiles = json::array();
-  for (const RankedTile& ranked : scene_tiles(scene)) {
-    const FailingTile& tile = *ranked.tile;
-    json j = {{"x", tile.x},
-              {"y", tile.y},
-              {"width", tile.width},
-              {"height", tile.height},
-              {"sentence", printable(tile.sentence)}};
-    const auto image = image_of_gate(images, view, *ranked.gate);
+  json places = json::array();
+  for (const auto& [tile, image] : tiles) {
+    json j = {{"x", tile->x},
+              {"y", tile->y},
+              {"width", tile->width},
+              {"height", tile->height},
+              {"sentence", printable(tile->sentence)}};
     if (image && place[*image]) j["image"] = *place[*image];
-    tiles.push_back(j);
+    places.push_back(j);
   }
-  const json all = {{"name", printable(scene.record.name)},
-                    {"exposure", scene.record.exposure},
-                    {"width", width},
-                    {"height", height},
-                    {"reducedBy", set.reduced_by},
-                    {"notes", notes},
-                    {"images", shown},
-                    {"tiles", tiles}};
+  const json all = {{"name", printable(name)},        {"exposure", exposure}, {"width", width},  {"height", height},
+                    {"reducedBy", pixels.reduced_by}, {"notes", notes},       {"images", shown}, {"tiles", places}};
   return json_in_html(all.dump(-1, ' ', false, json::error_handler_t::replace));
+}
+
+std::string viewer_json(const View& view, const SceneView& scene, const std::vector<SceneImage>& images,
+                        const std::filesystem::path& folder, const std::string& id, std::size_t allowance) {
+  std::vector<PixelSource> sources;
+  for (const SceneImage& image : images) {
+    sources.push_back({image.image, picture_file(image.pictures, "image"), picture_file(image.pictures, "flip")});
+  }
+  const double exposure = scene.record.exposure;
+  std::vector<ViewerTile> tiles;
+  for (const RankedTile& ranked : scene_tiles(scene))
+    tiles.push_back({ranked.tile, image_of_gate(images, view, *ranked.gate)});
+  return viewer_json(scene.record.name, exposure, images, pixel_data(folder, sources, exposure, allowance), id, tiles);
 }
 
 }  // namespace photonproof::reports::inline reports_page

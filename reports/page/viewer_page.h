@@ -28,6 +28,6 @@ inline constexpr int largest_viewed = 4096;
 
 /// Replaces `out` as a whole. The page refers to no other file. Larger images are reduced until the page has about 24
 /// MB, and the page says so. Throws InputError when it cannot be written.
-void write_viewer_page(const ViewerPage& page, const std::filesystem::path& out);
+void write_viewer_page(ViewerPage page, const std::filesystem::path& out);
 
 }  // namespace photonproof::inline reports_page

@@ -108,18 +108,17 @@ void write_inset_figure(const Results& results, const std::filesystem::path& fol
   if (options.scene.empty() && view.scenes.size() != 1)
     throw InputError("--scene", "a figure shows one scene, and the record has " + std::to_string(view.scenes.size()));
   const SceneView& scene = options.scene.empty() ? view.scenes.front() : scene_of(view, options.scene);
-  const std::vector<FigureColumn> columns = figure_columns(view, scene, folder, options.insets);
+  std::vector<FigureColumn> columns = figure_columns(view, scene, folder, options.insets);
   const FigureColumn& reference = columns.back();
   const bool crops = !options.insets.empty();
   const std::vector<Inset> insets =
       crops ? options.insets : std::vector<Inset>{{0, 0, reference.image.width, reference.image.height}};
-  std::vector<FigureColumn> drawn = columns;
   if (!crops)
-    for (FigureColumn& column : drawn) column.crop_relmse = {crop_relmse(column.image, reference.image, insets[0])};
+    for (FigureColumn& column : columns) column.crop_relmse = {crop_relmse(column.image, reference.image, insets[0])};
 
   Layout layout;
   layout.left = crops ? overview_width + 2 * gap : 0;
-  const auto count = static_cast<double>(drawn.size());
+  const auto count = static_cast<double>(columns.size());
   layout.cell = std::min(widest_column, (figure_width - layout.left - gap * (count - 1)) / count);
   double height = head_height;
   for (const Inset& inset : insets) height += 2 * (row_height(inset, layout.cell) + gap) + number_height;
@@ -129,8 +128,8 @@ void write_inset_figure(const Results& results, const std::filesystem::path& fol
   draw_file(out, kind, width, height, results.created, [&](Canvas& canvas) {
     const double exposure = scene.record.exposure;
     if (crops) draw_overview(canvas, reference.image, insets, exposure, scene_title(scene.record.name));
-    for (std::size_t c = 0; c < drawn.size(); ++c)
-      draw_column(canvas, drawn[c], drawn.back(), insets, layout.left + static_cast<double>(c) * layout.step(),
+    for (std::size_t c = 0; c < columns.size(); ++c)
+      draw_column(canvas, columns[c], reference, insets, layout.left + static_cast<double>(c) * layout.step(),
                   layout.cell, exposure);
   });
 }

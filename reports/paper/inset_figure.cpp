@@ -12,6 +12,7 @@
 #include "reports/view/results_file.h"
 #include "reports/view/verdicts.h"
 #include "scenes/base/input_error.h"
+#include "scenes/base/srgb.h"
 #include "scenes/files/file_checksum.h"
 
 namespace photonproof::inline reports_paper {
@@ -20,9 +21,6 @@ using namespace reports;
 namespace {
 
 constexpr double relmse_epsilon = 0.01;  // as the metric relmse
-
-/// IEC 61966-2-1.
-double encode_srgb(double v) { return v <= 0.0031308 ? 12.92 * v : 1.055 * std::pow(v, 1 / 2.4) - 0.055; }
 
 Image read_inside(const std::filesystem::path& folder, const std::string& relative, const std::string& whose) {
   const ResultsFile file = results_file(folder, relative);

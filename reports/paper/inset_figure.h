@@ -15,10 +15,10 @@ namespace photonproof::inline reports_paper {
 /// A column of the figure.
 struct FigureColumn {
   std::string title;
-  std::string budget;                 ///< "64 spp, 1.25 s wall"; of the reference its engine and budget
-  std::string relmse;                 ///< "relMSE 0.0123" of the whole image; empty for the reference
-  Image image;                        ///< linear
-  std::vector<double> crop_relmse{};  ///< of each crop, if it is not the reference
+  std::string budget;                 ///< "64 spp, 1.25 s wall". The reference has its engine and budget.
+  std::string relmse;                 ///< "relMSE 0.0123" of the whole image. The reference has none.
+  Image image;                        ///< Linear.
+  std::vector<double> crop_relmse{};  ///< One number for each crop. The reference has none.
 };
 
 /// The finished images of a scene at each engine's largest budget; the reference is the last column. Throws InputError

@@ -52,11 +52,9 @@ Clock clock_of(const View& view) {
 }
 
 const SceneView& scene_of(const View& view, const std::string& name) {
+  if (const SceneView* scene = find_scene(view, name)) return *scene;
   std::string known;
-  for (const SceneView& scene : view.scenes) {
-    if (scene.record.name == name) return scene;
-    known += (known.empty() ? "" : ", ") + scene.record.name;
-  }
+  for (const SceneView& scene : view.scenes) known += (known.empty() ? "" : ", ") + scene.record.name;
   throw InputError("--scene", "the record has no scene " + name + "; it has " + (known.empty() ? "none" : known));
 }
 

@@ -242,8 +242,17 @@ std::string reference_caption(const SceneView& scene) {
 
 std::string reference_picture(const SceneView& scene) {
   if (!scene.reference) return scene.record.reference ? scene.record.reference->picture : std::string();
-  const auto found = scene.reference->pictures.find("image");
-  return found == scene.reference->pictures.end() ? std::string() : found->second;
+  return picture_file(scene.reference->pictures, "image");
+}
+
+std::string picture_file(const std::map<std::string, std::string>& pictures, const std::string& role) {
+  const auto found = pictures.find(role);
+  return found == pictures.end() ? std::string() : found->second;
+}
+
+const SceneView* find_scene(const View& view, const std::string& name) {
+  const auto found = std::ranges::find(view.scenes, name, [](const SceneView& scene) { return scene.record.name; });
+  return found == view.scenes.end() ? nullptr : &*found;
 }
 
 std::string reference_image(const SceneView& scene) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -79,6 +80,12 @@ std::string reference_caption(const SceneView& scene);
 /// Its PNG and its EXR, relative to the results folder; empty when there is none.
 std::string reference_picture(const SceneView& scene);
 std::string reference_image(const SceneView& scene);
+
+/// The file of a picture's role, as in Result::pictures; empty where there is none.
+std::string picture_file(const std::map<std::string, std::string>& pictures, const std::string& role);
+
+/// The scene of this name; null where the view has none.
+const SceneView* find_scene(const View& view, const std::string& name);
 
 /// The value of a metric, if the cell has it.
 std::optional<double> metric(const Result& result, const std::string& name);

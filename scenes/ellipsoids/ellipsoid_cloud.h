@@ -21,10 +21,10 @@ struct Ellipsoid {
 };
 
 struct EllipsoidCloud {
-  std::vector<Ellipsoid> ellipsoids;  ///< at least one, finite
-  std::vector<float> opacities;       ///< one each, 0 to 1; empty where the file has none
-  std::vector<Rgb> harmonics;         ///< `coefficients` each, by ascending degree and order; empty without any
-  std::size_t coefficients = 0;       ///< 0, or the square of degree + 1
+  std::vector<Ellipsoid> ellipsoids;  ///< At least one. All numbers are finite.
+  std::vector<float> opacities;       ///< One for each, from 0 to 1. Empty where the file has none.
+  std::vector<Rgb> harmonics;         ///< `coefficients` for each, by ascending degree and order. Empty without any.
+  std::size_t coefficients = 0;       ///< 0, or the square of degree + 1.
 
   /// Whether the ellipsoids have all that a radiance field needs.
   bool is_radiance_field() const { return !opacities.empty() && !harmonics.empty(); }

@@ -27,7 +27,6 @@ struct CyclesArguments {
   std::string stats_path;
   bool json = false;
   std::string progress = "auto";
-  bool quiet = false;
 };
 
 nlohmann::ordered_json cycles_stats_json(const CyclesArguments& arguments, const CyclesExport& scene,
@@ -57,7 +56,7 @@ int run_cycles(const CyclesArguments& arguments) {
   const CyclesExport scene = export_cycles(description, arguments.options);
   CyclesRunOptions options;
   options.interrupt = &interrupt_flag();
-  Progress progress(arguments.quiet ? "none" : arguments.progress);
+  Progress progress(arguments.progress);
   options.progress = progress.callback();
   const CyclesRun run = render_cycles(scene, options);
 
@@ -99,7 +98,7 @@ void add_cycles_verb(CLI::App& program, int& exit_code) {
       ->check(CLI::Range(1, 1024));
   verb->add_flag("--json", arguments->json, "print the stats as JSON");
   add_progress_option(*verb, arguments->progress);
-  verb->add_flag("--quiet", arguments->quiet, "the same as --progress none");
+  add_quiet_option(*verb, arguments->progress);
   verb->callback([arguments, &exit_code] {
     exit_code = refusing_with_3([&] { return interruptibly([&] { return run_cycles(*arguments); }); });
   });

@@ -23,7 +23,6 @@ struct PovrayVerbArguments : PovrayArguments {
   std::string stats_path;
   bool json = false;
   std::string progress = "auto";
-  bool quiet = false;
 };
 
 nlohmann::ordered_json stats_json(const PovrayVerbArguments& arguments, const PovrayExport& scene,
@@ -60,7 +59,7 @@ int run_povray(const PovrayVerbArguments& arguments) {
   const PovrayExport scene = export_povray(description, povray);
   PovrayRunOptions options;
   options.interrupt = &interrupt_flag();
-  Progress progress(arguments.quiet ? "none" : arguments.progress);
+  Progress progress(arguments.progress);
   options.progress = progress.callback();
   const PovrayRun run = render_povray(scene, options);
 
@@ -97,7 +96,7 @@ void add_povray_verb(CLI::App& program, int& exit_code) {
   begin_option_group(*verb, run_group);
   verb->add_flag("--json", arguments->json, "print the stats as JSON");
   add_progress_option(*verb, arguments->progress);
-  verb->add_flag("--quiet", arguments->quiet, "the same as --progress none");
+  add_quiet_option(*verb, arguments->progress);
   verb->callback([arguments, &exit_code] {
     exit_code = refusing_with_3([&] { return interruptibly([&] { return run_povray(*arguments); }); });
   });

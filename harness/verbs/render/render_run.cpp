@@ -143,7 +143,7 @@ int render_to_files(const RenderArguments& arguments) {
   for (const fs::path& file : {fs::path(arguments.output), fs::path(stats_path)}) remove_abandoned_temporaries(file);
 
   const Timer timer;
-  Progress progress(arguments.quiet ? "none" : arguments.progress);
+  Progress progress(arguments.progress);
   Task task = read_task(arguments, {arguments.output, stats_path, checkpoint}, progress);
   const double load_seconds = timer.seconds();
   task.request.checkpoint = CheckpointPolicy{checkpoint, arguments.checkpoint_seconds, arguments.resume, {}};

@@ -34,7 +34,6 @@ struct RenderArguments {
   bool resume = false;
   bool plan = false;
   bool json = false;
-  bool quiet = false;
 };
 
 /// Renders, or prints the plan. Returns the exit code: 0 done, 1 done but some values are not finite or the image could

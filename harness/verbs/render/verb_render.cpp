@@ -107,7 +107,7 @@ void add_run_options(CLI::App& verb, RenderArguments& arguments) {
       ->check(one_of(isas));
   verb.add_flag("--json", arguments.json, "print the stats as JSON");
   add_progress_option(verb, arguments.progress);
-  verb.add_flag("--quiet", arguments.quiet, "the same as --progress none");
+  add_quiet_option(verb, arguments.progress);
 }
 
 }  // namespace

@@ -73,7 +73,7 @@ StressOptions stress_options(const StressArguments& arguments, Progress& progres
     const std::string name = sweep.feature + ", " + sweep.sweep_run + ", " + sweep.engine;
     if (sweep.breakdown() != nullptr)
       progress.say(name + ": " + reports::sweep_words(sweep) + ": " + sweep.breakdown()->sentence);
-    progress.at({static_cast<double>(ended), static_cast<double>(all), name, "sweeps"});
+    progress.at(counted(ended, all, name, "sweeps"));
   };
   return options;
 }

@@ -24,6 +24,18 @@ std::string line_of(const nlohmann::ordered_json& object) {
   return object.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
 }
 
+/// "40 s", "3 min" or "1.5 h"
+std::string duration_text(double seconds) {
+  char text[48];
+  if (seconds < 60)
+    std::snprintf(text, sizeof text, "%.0f s", seconds);
+  else if (seconds < 3600)
+    std::snprintf(text, sizeof text, "%.0f min", seconds / 60);
+  else
+    std::snprintf(text, sizeof text, "%.1f h", seconds / 3600);
+  return text;
+}
+
 }  // namespace
 
 void add_progress_option(CLI::App& verb, std::string& mode) {
@@ -32,27 +44,28 @@ void add_progress_option(CLI::App& verb, std::string& mode) {
       ->capture_default_str();
 }
 
-std::string time_left(double seconds, double done, double left) {
-  if (done < least_done || left <= 0) return "";
-  const double expected = seconds * left / done;
-  char text[48];
-  if (expected < 60)
-    std::snprintf(text, sizeof text, ", %.0f s left", expected);
-  else if (expected < 3600)
-    std::snprintf(text, sizeof text, ", %.0f min left", expected / 60);
-  else
-    std::snprintf(text, sizeof text, ", %.1f h left", expected / 3600);
-  return text;
+void add_quiet_option(CLI::App& verb, std::string& mode) {
+  verb.add_flag_callback(
+      "--quiet", [&mode] { mode = "none"; }, "the same as --progress none");
+}
+
+ProgressStep counted(std::size_t done, std::size_t total, std::string phase, std::string unit) {
+  return {static_cast<double>(done), static_cast<double>(total), std::move(phase), std::move(unit)};
+}
+
+std::string numbered(std::size_t number, std::size_t total) {
+  return "[" + std::to_string(number) + "/" + std::to_string(total) + "] ";
 }
 
 Progress::Progress(const std::string& mode, std::function<double()> seconds)
-    : mode_(mode == "json"               ? Mode::json
-            : mode == "none"             ? Mode::none
-            : mode == "line"             ? Mode::line
-            : mode == "log"              ? Mode::log
-            : isatty(STDERR_FILENO) != 0 ? Mode::line
-                                         : Mode::log),
-      seconds_(seconds ? std::move(seconds) : [this] { return timer_.seconds(); }) {}
+    : mode_(mode_of(mode)), seconds_(seconds ? std::move(seconds) : [this] { return timer_.seconds(); }) {}
+
+Progress::Mode Progress::mode_of(const std::string& name) {
+  if (name == "json") return Mode::json;
+  if (name == "none") return Mode::none;
+  if (name == "auto") return isatty(STDERR_FILENO) != 0 ? Mode::line : Mode::log;
+  return name == "line" ? Mode::line : Mode::log;
+}
 
 void Progress::at(const ProgressStep& step) {
   if (mode_ == Mode::none) return;
@@ -118,17 +131,16 @@ std::optional<double> Progress::seconds_left(const ProgressStep& step) const {
 std::string Progress::text(const ProgressStep& step) const {
   std::string words = printable(step.phase);
   if (step.total <= 0) return words;
-  char number[64];
-  const double seconds = seconds_() - first_seconds_, done = step.done - *first_done_;
+  char number[64], rate[64] = "";
   if (step.unit.empty()) {
     std::snprintf(number, sizeof number, "%3.0f %% ", 100 * step.done / step.total);
   } else {
     std::snprintf(number, sizeof number, "[%.0f/%.0f] ", step.done, step.total);
-    char rate[64];
-    std::snprintf(rate, sizeof rate, ", %.2g %s/s", done / seconds, step.unit.c_str());
-    if (done > 0 && seconds > 0) words += rate;
+    const double seconds = seconds_() - first_seconds_, done = step.done - *first_done_;
+    if (done > 0 && seconds > 0) std::snprintf(rate, sizeof rate, ", %.2g %s/s", done / seconds, step.unit.c_str());
   }
-  return number + words + time_left(seconds, done / step.total, 1 - step.done / step.total);
+  const std::optional<double> left = seconds_left(step);
+  return number + words + rate + (left && *left > 0 ? ", " + duration_text(*left) + " left" : "");
 }
 
 void Progress::write_json(const ProgressStep& step) {

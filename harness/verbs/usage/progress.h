@@ -1,12 +1,9 @@
-// How far a verb is and what ended, on standard error: the option --progress.
-//   line   one line that rewrites itself, with the rate and the time left
-//   log    the same as a line a minute, for files and CI
-//   json   one JSON object a line, at most two a second: {"seconds", "done", "total", "fraction", "seconds_left",
-//          "phase"}, where null is unknown, or {"seconds", "message"} for what ended
-//   none   nothing
-//   auto   line on a terminal, else log
+// Progress of verbs on standard error: the option --progress. A line that rewrites itself has the rate and the time
+// left. A log has the same as a line a minute, for files and CI. JSON is for programs: docs/guides/ci.md has its
+// members.
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <mutex>
 #include <optional>
@@ -20,12 +17,10 @@ class App;
 
 namespace photonproof::inline harness_verbs_usage {
 
-/// Adds --progress with the values auto, line, log, json and none.
+/// Adds --progress with the values auto, line, log, json and none. `auto` is a line on a terminal, else a log.
 void add_progress_option(CLI::App& verb, std::string& mode);
-
-/// ", 40 s left", ", 3 min left" or ", 1.5 h left"; empty where too little is done to tell. The fraction `done` of the
-/// work took `seconds`, and `left` remains.
-std::string time_left(double seconds, double done, double left);
+/// Adds --quiet, which makes the mode "none". It goes after --progress.
+void add_quiet_option(CLI::App& verb, std::string& mode);
 
 /// Steps of a whole. A total of 0 is unknown.
 struct ProgressStep {
@@ -33,6 +28,10 @@ struct ProgressStep {
   std::string phase{};
   std::string unit{};  ///< "cells": then a line has the rate of them. Empty: without one.
 };
+
+ProgressStep counted(std::size_t done, std::size_t total, std::string phase, std::string unit);
+/// "[3/9] ", the number of a part before its name.
+std::string numbered(std::size_t number, std::size_t total);
 
 /// Its functions may be called on any thread.
 class Progress {
@@ -55,7 +54,9 @@ class Progress {
 
  private:
   enum class Mode { line, log, json, none };
+  static Mode mode_of(const std::string& name);
 
+  /// Empty where the total is unknown, or too little is done to tell.
   std::optional<double> seconds_left(const ProgressStep& step) const;
   std::string text(const ProgressStep& step) const;
   void write_json(const ProgressStep& step);
