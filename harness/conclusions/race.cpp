@@ -15,6 +15,8 @@ namespace photonproof::inline harness_conclusions {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
+/// Engines do not race to smaller errors by themselves: .03 % of a pixel, where rounding and references decide.
+constexpr double least_error = 1e-7;
 
 struct Runner {
   std::string engine;
@@ -97,17 +99,31 @@ void set_ratio(Entry& entry, const Entry& first) {
   }
 }
 
+// The fastest, to which ratios are taken. A bound leads only where it is below every value. Among bounds alone, the one
+// that settles most orders leads.
+const Entry& leader_of(const std::vector<Entry>& entries) {
+  const auto rank = [&](const Entry& entry) {
+    const auto leaves_open = [&](const Entry& other) { return &other != &entry && !order_is_known(entry, other); };
+    const auto may_be_slower_than = [&](const Entry& other) { return other.is_value() && leaves_open(other); };
+    const bool behind = entry.time.more_than || std::ranges::any_of(entries, may_be_slower_than);
+    const auto open = std::ranges::any_of(entries, &Entry::is_value) ? 0 : std::ranges::count_if(entries, leaves_open);
+    return std::tuple(behind, open, entry.time.seconds);
+  };
+  return *std::ranges::min_element(entries, {}, rank);
+}
+
 std::vector<RaceRecord::Time> ranked(std::vector<Entry> entries) {
+  const Entry leader = leader_of(entries);
+  const auto leads = [&](const Entry& e) { return e.time.engine == leader.time.engine; };
   for (Entry& entry : entries)
-    entry.time.unranked = !entry.is_value() && !std::ranges::all_of(entries, [&](const Entry& other) {
-      return &other == &entry || order_is_known(entry, other);
-    });
-  std::ranges::stable_sort(entries, {}, [](const Entry& e) { return std::pair(e.time.unranked, e.time.seconds); });
+    if (!leads(entry) && order_is_known(entry, leader))
+      set_ratio(entry, leader);
+    else
+      entry.time.unranked = !leads(entry);
+  std::ranges::stable_sort(entries, {},
+                           [&](const Entry& e) { return std::tuple(e.time.unranked, !leads(e), e.time.seconds); });
   std::vector<RaceRecord::Time> times;
-  for (Entry& entry : entries) {
-    if (&entry != &entries.front() && !entry.time.unranked) set_ratio(entry, entries.front());
-    times.push_back(entry.time);
-  }
+  for (Entry& entry : entries) times.push_back(std::move(entry.time));
   return times;
 }
 
@@ -167,11 +183,12 @@ std::string why_undecided(const std::vector<Runner>& runners) {
   return "the measured errors decide no order: " + text;
 }
 
-// The best race at a round error, or at an engine's own where the budgets enclose no round one.
+// The best race at a round error, or at an engine's own where the fastest time to no round one is known.
 RaceRecord best_race(const std::vector<Runner>& runners) {
   std::vector<double> own;
   for (const Runner& runner : runners)
-    for (const ConvergencePoint* point : runner.points.points) own.push_back(point->relmse->value);
+    for (const ConvergencePoint* point : runner.points.points)
+      own.push_back(std::max(point->relmse->value, least_error));
   const auto [least, most] = std::ranges::minmax(own);
   RaceRecord best;
   std::vector<double> round = round_numbers(least, most);
@@ -182,9 +199,9 @@ RaceRecord best_race(const std::vector<Runner>& runners) {
       if (is_judged(race) && (best.times.empty() || score_of(race.times) > score_of(best.times)))
         best = std::move(race);
     }
-    if (!best.times.empty()) return best;
+    if (!best.times.empty() && is_value(best.times.front())) return best;
   }
-  best.undecided = why_undecided(runners);
+  if (best.times.empty()) best.undecided = why_undecided(runners);
   return best;
 }
 

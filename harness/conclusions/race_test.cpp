@@ -162,6 +162,32 @@ TEST(Race, bound_has_a_rank_only_where_it_settles_the_order) {
   EXPECT_EQ(order_with(curve("a", {{7, 0.001}})), (Order{"b", "c", "a?"}));
 }
 
+// Paths end at 0.13 after 0.6 s. The photon mapper has 0.002 at 0.15 s. The third engine's one image took 17 s.
+TEST(Race, open_bound_of_a_third_engine_hides_no_order) {
+  const auto races = races_of({curve("path", {{0.04, 0.4}, {0.6, 0.13}}),
+                               curve("photonmapper", {{0.08, 0.005}, {0.2, 0.0013}}), curve("povray", {{17, 0.0003}})});
+  EXPECT_EQ(races.at(0).relmse, 0.002);
+  EXPECT_EQ(order_of(races[0]), (std::vector<std::string>{"photonmapper", "path", "povray?"}));
+  EXPECT_NEAR(races[0].times[1].ratio->value, 0.6 / races[0].times[0].seconds, 1e-9);
+  EXPECT_TRUE(races[0].times[1].at_least);
+}
+
+// The engine of 0.01 s may need nothing, but its error may also be above 0.02. The one of 0.03 s surely has that error.
+TEST(Race, among_bounds_alone_the_one_leads_that_settles_an_order) {
+  Convergence sure = known_to(1.01, curve("sure", {{0.03, 0.01}})), slow = known_to(1.01, curve("slow", {{1, 0.1}}));
+  sure.targets = {{0.02}};
+  const auto races = races_of({known_to(3, curve("unsure", {{0.01, 0.01}})), sure, slow});
+  EXPECT_EQ(order_of(races.at(0)), (std::vector<std::string>{"sure", "slow", "unsure?"}));
+}
+
+// In a furnace the first engine has rounding alone, the other one a bias of 0.1 %.
+TEST(Race, is_not_run_to_rounding) {
+  const auto races = races_of({curve("exact", {{0.1, 4e-9}, {0.4, 3e-9}}), curve("biased", {{2, 9e-7}, {8, 8e-7}})});
+  EXPECT_EQ(races.at(0).relmse, 2e-7);
+  EXPECT_EQ(order_of(races[0]), (std::vector<std::string>{"exact", "biased"}));
+  EXPECT_NEAR(races[0].times[1].ratio->value, 80, 1e-9);
+}
+
 TEST(Race, of_an_engine_with_two_kinds_of_budget_counts_the_faster) {
   const std::vector<RaceRecord> races = races_of(
       {curve("a", {{1, 0.04}, {4, 0.01}}), curve("a", {{0.5, 0.04}, {2, 0.01}}), curve("b", {{2, 0.04}, {8, 0.01}})});

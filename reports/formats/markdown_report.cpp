@@ -130,29 +130,28 @@ class Writer {
     return text + "\n";
   }
 
-  std::string races() const {
-    const RaceTable races = race_table(view_);
+  static std::string race_rows(const RaceTable& races, const std::string& at) {
     if (races.rows.empty()) return {};
-    Row head{"Scene", "relMSE"};
+    Row head{"Scene", at};
     for (const std::string& engine : races.engines) head.push_back(markdown_text(engine));
     std::vector<Row> rows;
     for (const RaceTable::Row& race : races.rows) {
-      Row& row =
-          rows.emplace_back(Row{markdown_text(race.scene), race.undecided.empty() ? race.relmse : undefined_number});
+      Row& row = rows.emplace_back(Row{markdown_text(race.scene), race.undecided.empty() ? race.at : undefined_number});
       for (const RaceTable::Cell& cell : race.cells) {
-        const std::string text = cell.time + (cell.ratio.empty() ? "" : " (" + cell.ratio + ")");
+        const std::string text = cell.value + (cell.ratio.empty() ? "" : " (" + cell.ratio + ")");
         row.push_back(cell.best ? "**" + text + "**" : text);
       }
     }
-    std::string text =
-        "## Fastest to the same error\n\n" + markdown_text(races_sentence(view_)) + ".\n\n" + table(head, rows, 1);
-    for (const RaceRecord* race : view_.races) {
-      text += "* " + markdown_text(race_text(*race)) + ".";
-      if (const std::string at_time = equal_time_text(*race); !at_time.empty())
-        text += " " + markdown_text(at_time) + ".";
-      text += "\n";
-    }
-    return text + "\n";
+    return table(head, rows, 1);
+  }
+
+  std::string races() const {
+    if (view_.races.empty()) return {};
+    std::string text = "## Fastest to the same error\n\n" + markdown_text(races_sentence(view_)) + ".\n\n" +
+                       race_rows(race_table(view_), "relMSE");
+    for (const RaceRecord* race : view_.races) text += "* " + markdown_text(race_text(*race)) + ".\n";
+    const std::string errors = race_rows(error_table(view_), "Time");
+    return text + "\n" + (errors.empty() ? "" : "Error (relMSE) in the same time:\n\n" + errors);
   }
 
   std::string changes() const {

@@ -80,21 +80,20 @@ void set_correctness(data& object, const CorrectnessRecord& record) {
 
 namespace {
 
-data race_data(const RaceTable::Row& row, const RaceRecord& race, const std::vector<std::string>& engines) {
+data race_data(const View& view, const RaceTable::Row& row, const std::vector<std::string>& engines) {
   data item, cells(data::type::list);
   for (std::size_t i = 0; i < row.cells.size(); ++i) {
     const RaceTable::Cell& cell = row.cells[i];
     data entry;
     entry.set("engine", printable(engines[i]));
-    entry.set("time", cell.time);
+    entry.set("value", cell.value);
     entry.set("ratio", text_or_false(cell.ratio));
     entry.set("best", cell.best);
     cells.push_back(entry);
   }
   item.set("scene", printable(row.scene));
-  item.set("relmse", row.relmse);
-  item.set("sentence", printable(race_text(race)));
-  item.set("equal_time", text_or_false(printable(equal_time_text(race))));
+  item.set("href", scene_id(view, row.scene));
+  item.set("at", row.at);
   item.set("judged", row.undecided.empty());
   item.set("undecided", printable(row.undecided));
   item.set("width", std::to_string(engines.size() + 1));
@@ -102,19 +101,29 @@ data race_data(const RaceTable::Row& row, const RaceRecord& race, const std::vec
   return item;
 }
 
+void add_race_table(data& tables, const View& view, const RaceTable& table, const char* caption, const char* at,
+                    const char* at_title) {
+  if (table.rows.empty()) return;
+  data races(data::type::list), item;
+  for (const RaceTable::Row& row : table.rows) races.push_back(race_data(view, row, table.engines));
+  item.set("caption", caption);
+  item.set("at_head", at);
+  item.set("at_title", at_title);
+  item.set("races", races);
+  tables.push_back(item);
+}
+
 }  // namespace
 
 void set_races(data& page, const View& view) {
-  const RaceTable table = race_table(view);
-  data races(data::type::list);
-  for (std::size_t i = 0; i < table.rows.size(); ++i) {
-    data item = race_data(table.rows[i], *view.races[i], table.engines);
-    item.set("href", scene_id(view, view.races[i]->scene));
-    races.push_back(item);
-  }
-  page.set("has_races", !table.rows.empty());
+  data tables(data::type::list);
+  add_race_table(tables, view, race_table(view),
+                 "Time to the same error. Ranges are 95 % intervals over seeds; “at least” is a bound.", "relMSE",
+                 "relative mean squared error");
+  add_race_table(tables, view, error_table(view), "Error (relMSE) in the same time.", "time", "of one image");
+  page.set("has_races", !view.races.empty());
   page.set("races_sentence", printable(races_sentence(view)));
-  page.set("races", races);
+  page.set("race_tables", tables);
 }
 
 void set_glance(data& page, const View& view) {

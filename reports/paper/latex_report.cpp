@@ -96,7 +96,7 @@ Quantities race_quantities(const View& view) {
       const RaceTable::Cell& cell = table.rows[r].cells[static_cast<std::size_t>(engine - table.engines.begin())];
       const std::string open = time.unranked ? "a bound that leaves the order open" : "";
       all.entries.push_back(
-          {at_error(race), method_title(view, time.engine), {{cell.time, cell.best, open}, {cell.ratio}}});
+          {at_error(race), method_title(view, time.engine), {{cell.value, cell.best, open}, {cell.ratio}}});
     }
   }
   return all;

@@ -42,9 +42,9 @@ std::string verdict_table(const View& view, bool colours) {
   return console_table({"scene", "engine", "budget", "verdict", "relMSE", "seconds"}, rows, 4, colours) + "\n";
 }
 
-std::string times_table(const View& view, bool colours) {
-  const RaceTable races = race_table(view);
-  std::vector<std::string> header{"time to", "relMSE"};
+/// Rows without a judgement follow as sentences.
+std::string races_table(const RaceTable& races, const std::string& head, const std::string& at, bool colours) {
+  std::vector<std::string> header{head, at};
   header.insert(header.end(), races.engines.begin(), races.engines.end());
   std::vector<Row> rows;
   std::string undecided;
@@ -53,9 +53,9 @@ std::string times_table(const View& view, bool colours) {
       undecided += race.scene + ": not judged, " + race.undecided + "\n";
       continue;
     }
-    Row& row = rows.emplace_back(Row{{race.scene}, {race.relmse}});
+    Row& row = rows.emplace_back(Row{{race.scene}, {race.at}});
     for (const RaceTable::Cell& cell : race.cells)
-      row.push_back({cell.ratio.empty() ? cell.time : cell.time + ", " + cell.ratio,
+      row.push_back({cell.ratio.empty() ? cell.value : cell.value + ", " + cell.ratio,
                      cell.best ? Emphasis::bold : Emphasis::none});
   }
   std::string text = undecided;
@@ -66,7 +66,8 @@ std::string times_table(const View& view, bool colours) {
 }  // namespace
 
 std::string console_conclusions(const View& view, bool colours) {
-  std::string text = verdict_table(view, colours) + times_table(view, colours);
+  std::string text = verdict_table(view, colours) + races_table(race_table(view), "time to", "relMSE", colours) +
+                     races_table(error_table(view), "relMSE in", "time", colours);
   for (const std::string& note : verdict_notes(view)) text += note + "\n";
   return text.empty() ? text : "\n" + text;
 }

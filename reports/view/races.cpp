@@ -24,6 +24,18 @@ bool is_slower(const Time& time) {
   return time.at_least ? time.ratio->value > 1 : time.ratio->interval && time.ratio->interval->low > 1;
 }
 
+bool is_larger(const RaceRecord::Error& error) {
+  return error.ratio && error.ratio->interval && error.ratio->interval->low > 1;
+}
+
+const RaceTable::Cell no_cell{undefined_number, "", false};
+
+RaceTable table_of_engines(const View& view) {
+  RaceTable table;
+  for (const std::size_t engine : view.compared) table.engines.push_back(view.engines[engine].name);
+  return table;
+}
+
 std::string clause(const Time& time) {
   if (time.unranked) return fmt::format("{} needs {}, which leaves the order open", time.engine, seconds_text(time));
   if (!time.ratio) return fmt::format("{} needs {}", time.engine, seconds_text(time));  // in older records
@@ -79,17 +91,6 @@ std::string race_text(const RaceRecord& race) {
   return text;
 }
 
-std::string equal_time_text(const RaceRecord& race) {
-  if (race.errors.empty()) return {};
-  std::string text = fmt::format("In {} s the relMSE is ", significant(race.seconds, 2));
-  for (const RaceRecord::Error& error : race.errors) {
-    if (&error != &race.errors.front()) text += ", ";
-    text += fmt::format("{} by {}", significant(error.relmse.value, 2), error.engine);
-    if (error.ratio) text += fmt::format(" ({} that)", times_text(*error.ratio));
-  }
-  return text;
-}
-
 std::string races_sentence(const View& view) {
   std::vector<Wins> all;
   std::size_t open = 0;
@@ -119,18 +120,34 @@ std::string races_sentence(const View& view) {
 }
 
 RaceTable race_table(const View& view) {
-  RaceTable table;
-  for (const std::size_t engine : view.compared) table.engines.push_back(view.engines[engine].name);
+  RaceTable table = table_of_engines(view);
   for (const RaceRecord* race : view.races) {
     RaceTable::Row row{race->scene, significant(race->relmse, 2), {}, race->undecided};
     const bool won = has_winner(*race);
     for (const std::string& engine : table.engines) {
+      RaceTable::Cell& cell = row.cells.emplace_back(no_cell);
       const auto time = std::ranges::find(race->times, engine, &Time::engine);
-      RaceTable::Cell cell{undefined_number, "", false};
-      if (time != race->times.end())
-        cell = {seconds_text(*time), time->ratio ? times_text(*time->ratio, time->at_least) : "",
-                won && time == race->times.begin()};
-      row.cells.push_back(std::move(cell));
+      if (time == race->times.end()) continue;
+      cell = {seconds_text(*time), time->ratio ? times_text(*time->ratio, time->at_least) : "",
+              won && time == race->times.begin()};
+    }
+    table.rows.push_back(std::move(row));
+  }
+  return table;
+}
+
+RaceTable error_table(const View& view) {
+  RaceTable table = table_of_engines(view);
+  for (const RaceRecord* race : view.races) {
+    if (race->errors.empty() || std::ranges::count(table.rows, race->scene, &RaceTable::Row::scene) > 0) continue;
+    RaceTable::Row row{race->scene, significant(race->seconds, 2) + " s", {}, ""};
+    const bool won = std::ranges::all_of(race->errors.begin() + 1, race->errors.end(), is_larger);
+    for (const std::string& engine : table.engines) {
+      RaceTable::Cell& cell = row.cells.emplace_back(no_cell);
+      const auto error = std::ranges::find(race->errors, engine, &RaceRecord::Error::engine);
+      if (error == race->errors.end()) continue;
+      cell = {significant(error->relmse.value, 2), error->ratio ? times_text(*error->ratio) : "",
+              won && error == race->errors.begin()};
     }
     table.rows.push_back(std::move(row));
   }
