@@ -15,8 +15,8 @@ namespace photonproof::inline harness_conclusions {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-/// Engines do not race to smaller errors by themselves: .03 % of a pixel, where rounding and references decide.
-constexpr double least_error = 1e-7;
+/// The least error of a race that no target asks for: .1 % of a pixel, which nobody sees.
+constexpr double least_error = 1e-6;
 
 struct Runner {
   std::string engine;

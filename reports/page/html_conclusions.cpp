@@ -94,36 +94,40 @@ data race_data(const View& view, const RaceTable::Row& row, const std::vector<st
   item.set("scene", printable(row.scene));
   item.set("href", scene_id(view, row.scene));
   item.set("at", row.at);
-  item.set("judged", row.undecided.empty());
-  item.set("undecided", printable(row.undecided));
-  item.set("width", std::to_string(engines.size() + 1));
+  item.set("reason", printable(row.undecided));
   item.set("cells", cells);
   return item;
 }
 
-void add_race_table(data& tables, const View& view, const RaceTable& table, const char* caption, const char* at,
-                    const char* at_title) {
-  if (table.rows.empty()) return;
-  data races(data::type::list), item;
-  for (const RaceTable::Row& row : table.rows) races.push_back(race_data(view, row, table.engines));
-  item.set("caption", caption);
-  item.set("at_head", at);
-  item.set("at_title", at_title);
+struct RaceHead {
+  const char *caption, *at, *title;
+};
+
+data race_table_data(const View& view, const RaceTable& table, const RaceHead& head) {
+  data races(data::type::list), undecided(data::type::list), item;
+  for (const RaceTable::Row& row : table.rows)
+    (row.undecided.empty() ? races : undecided).push_back(race_data(view, row, table.engines));
+  item.set("caption", head.caption);
+  item.set("at_head", head.at);
+  item.set("at_title", head.title);
+  item.set("has_rows", races.is_non_empty_list());
   item.set("races", races);
-  tables.push_back(item);
+  item.set("has_undecided", undecided.is_non_empty_list());
+  item.set("undecided", undecided);
+  return item;
 }
 
 }  // namespace
 
 void set_races(data& page, const View& view) {
-  data tables(data::type::list);
-  add_race_table(tables, view, race_table(view),
-                 "Time to the same error. Ranges are 95 % intervals over seeds; “at least” is a bound.", "relMSE",
-                 "relative mean squared error");
-  add_race_table(tables, view, error_table(view), "Error (relMSE) in the same time.", "time", "of one image");
   page.set("has_races", !view.races.empty());
   page.set("races_sentence", printable(races_sentence(view)));
-  page.set("race_tables", tables);
+  page.set("times",
+           race_table_data(view, race_table(view),
+                           {"Time to the same error. Ranges are 95 % intervals over seeds; “at least” is a bound.",
+                            "relMSE", "relative mean squared error"}));
+  page.set("errors",
+           race_table_data(view, error_table(view), {"Error (relMSE) in the same time.", "time", "of one image"}));
 }
 
 void set_glance(data& page, const View& view) {

@@ -78,6 +78,7 @@ void set_templates(data& page) {
   set_scene_partials(page);
   set_partial(page, "thumbnail_img", templates::thumbnail_img);
   set_partial(page, "scene_section", templates::scene_section);
+  set_partial(page, "race_table", templates::race_table);
 }
 
 }  // namespace

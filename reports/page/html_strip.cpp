@@ -88,13 +88,17 @@ Strip strip_of_scene(const View& view, const SceneView& scene) {
   return strip;
 }
 
+/// The race whose pictures differ most: by the errors in the same time, else by the times to the same error.
 const RaceRecord* clearest_race(const View& view) {
   const RaceRecord* best = nullptr;
-  const auto ratio = [](const RaceRecord& race) {
-    return race.times.size() > 1 && race.times[1].ratio ? race.times[1].ratio->value : 0;
+  const auto leads = [](const RaceRecord& race) {
+    const auto second = [](const auto& entries) {
+      return entries.size() > 1 && entries[1].ratio ? entries[1].ratio->value : 0;
+    };
+    return std::pair(second(race.errors), second(race.times));
   };
   for (const RaceRecord* race : view.races)
-    if (has_winner(*race) && (best == nullptr || ratio(*race) > ratio(*best))) best = race;
+    if (has_winner(*race) && (best == nullptr || leads(*race) > leads(*best))) best = race;
   return best;
 }
 

@@ -6,7 +6,7 @@
 namespace photonproof::reports::templates {
 
 extern const std::string_view page, scene_section, cell_details, picture_img, thumbnail_img, swatch_svg, verdict_chip,
-    gates_table, plain_table, viewer_page, style;
+    gates_table, plain_table, race_table, viewer_page, style;
 /// All of *.js as one function, and its SHA-256 in hexadecimal.
 extern const std::string_view script, script_sha256;
 
