@@ -134,7 +134,7 @@ void print_changes(const BenchSummary& summary) {
 
 void print_text(const Suite& suite, const BenchSummary& summary, const Results& results,
                 const std::vector<fs::path>& report_files, bool colours) {
-  std::printf("%s: %zu cells measured, %zu kept from before", suite.name.c_str(), summary.measured, summary.kept);
+  std::printf("%s: %zu images measured, %zu kept from before", suite.name.c_str(), summary.measured, summary.kept);
   if (summary.missing > 0) std::printf(", %zu not run", summary.missing);
   const char* separator = "; ";
   for (const auto& [status, number] : summary.by_status) {
@@ -144,7 +144,7 @@ void print_text(const Suite& suite, const BenchSummary& summary, const Results& 
   const reports::View view = reports::arrange(results);
   std::printf("\n%s", reports::console_conclusions(view, colours).c_str());
   if (summary.measured == 0 && !summary.interrupted)
-    std::printf("nothing to run: every cell asked for has its result (--fresh measures again, --retry what failed)\n");
+    std::printf("nothing to run: every image asked for has its result (--fresh measures again, --retry what failed)\n");
   if (summary.interrupted) std::printf("interrupted: kept what was finished; the same command goes on from here\n");
   std::printf("results: %s\n", summary.results_file.c_str());
   for (const fs::path& report : report_files) std::printf("report: %s\n", report.c_str());

@@ -59,7 +59,7 @@ TEST_F(BenchVerb, good_run_says_where_everything_is) {
   EXPECT_EQ(outcome.exit_code, 0) << outcome.standard_error;
   const std::string out = (folder_ / "out").string();
   const std::string start =
-      "fake: 3 cells measured, 0 kept from before; 2 finished, 1 unsupported\n"
+      "fake: 3 images measured, 0 kept from before; 2 finished, 1 unsupported\n"
       "\n"
       "scene  engine    budget  verdict    relMSE  seconds\n"
       "scene  brighter  1 spp   unknown  0.0385 †  ";
@@ -93,7 +93,7 @@ TEST_F(BenchVerb, second_run_says_that_there_is_nothing_to_do) {
   put("suite.toml", suite_text("grey", {}));
   bench({"--no-report"});
   EXPECT_FALSE(has("out/report.html"));
-  EXPECT_NE(bench({"--no-report"}).standard_output.find("nothing to run: every cell asked for has its result"),
+  EXPECT_NE(bench({"--no-report"}).standard_output.find("nothing to run: every image asked for has its result"),
             std::string::npos);
 }
 

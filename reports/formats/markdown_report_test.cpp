@@ -63,8 +63,8 @@ TEST(MarkdownReport, text_of_the_record_neither_breaks_a_table_nor_is_markup) {
 TEST(MarkdownReport, runs_without_finished_cells_or_scenes_are_reported) {
   Results results = sample_results();
   for (Result& result : results.results) result.status = Status::bad_image;
-  EXPECT_EQ(count(markdown_of(results), "6 cells: 0 finished, 6 did not"), 1u);
-  EXPECT_EQ(count(markdown_of(Results{}), "0 scenes, 0 engines, 0 cells"), 1u);
+  EXPECT_EQ(count(markdown_of(results), "6 images: 0 finished, 6 did not"), 1u);
+  EXPECT_EQ(count(markdown_of(Results{}), "0 scenes, 0 engines, 0 images"), 1u);
 }
 
 }  // namespace

@@ -166,8 +166,8 @@ TEST(HtmlReport, a_run_without_a_finished_cell_is_still_a_page) {
     result.metrics.clear();
   }
   const std::string html = html_of(results);
-  EXPECT_EQ(count(html, "6 cells: 0 finished, 6 did not"), 1u);
-  EXPECT_EQ(count(html, "No cell has both an error and a time to plot."), 2u);
+  EXPECT_EQ(count(html, "6 images: 0 finished, 6 did not"), 1u);
+  EXPECT_EQ(count(html, "No image has both an error and a time to plot."), 2u);
   EXPECT_EQ(count(html, "did not finish (crash): killed by SIGSEGV"), 1u);
   EXPECT_EQ(count(html, "<svg viewBox=\"0 0 560"), 0u);
 }

@@ -277,7 +277,7 @@ std::string budget_text(const Budget& budget) {
 std::string failed_cells_text(const Failure& failure) {
   const Cell& first = failure.cells.front()->cell;
   const std::string cell = fmt::format("{}, seed {}", budget_text(first.budget), first.seed);
-  return failure.cells.size() == 1 ? cell : fmt::format("{} cells, first {}", failure.cells.size(), cell);
+  return failure.cells.size() == 1 ? cell : fmt::format("{} images, first {}", failure.cells.size(), cell);
 }
 
 std::string exposure_text(double stops) {
@@ -299,7 +299,7 @@ std::string totals_text(const Results& results) {
   const auto count = [](std::size_t n, const char* what) { return fmt::format("{} {}{}", n, what, n == 1 ? "" : "s"); };
   std::string text = count(results.scenes.size(), "scene") + ", " + count(results.engines.size(), "engine");
   if (total == 0 && !results.gates.empty()) return text;
-  text += ", " + count(total, "cell");
+  text += ", " + count(total, "image");
   if (total == 0) return text;
   return text + (failed == 0
                      ? ": all finished"

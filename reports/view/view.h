@@ -93,7 +93,7 @@ std::optional<double> metric(const Result& result, const std::string& name);
 /// "64 spp", "1 000 000 photons", "10 seconds", "quality 3".
 std::string budget_text(const Budget& budget);
 
-/// "quality 4, seed 1", or "4 cells, first quality 1, seed 1".
+/// "quality 4, seed 1", or "4 images, first quality 1, seed 1".
 std::string failed_cells_text(const Failure& failure);
 
 /// "exposure +1.5 EV" as every picture of the scene is shown.
@@ -105,7 +105,7 @@ std::string time_text(const std::string& created);
 /// The suite's title, or its name if the record has no title.
 const std::string& heading(const Results& results);
 
-/// "9 cells: 8 finished, 1 did not", over the whole record.
+/// "9 images: 8 finished, 1 did not", over the whole record.
 std::string totals_text(const Results& results);
 
 /// "10 gates: 8 pass, 1 fails, 1 inconclusive"; empty when there are none.

@@ -69,7 +69,7 @@ TEST(View, cells_that_failed_alike_are_one_failure) {
   results.results.push_back(again);
   const View view = arrange(results);
   ASSERT_EQ(view.failures.size(), 2u);
-  EXPECT_EQ(failed_cells_text(view.failures[0]), "2 cells, first quality 2, seed 1");
+  EXPECT_EQ(failed_cells_text(view.failures[0]), "2 images, first quality 2, seed 1");
   EXPECT_EQ(failed_cells_text(view.failures[1]), "quality 2, seed 3");
 }
 
@@ -87,7 +87,7 @@ TEST(View, an_empty_record_gives_an_empty_view) {
   const Results results;
   const View view = arrange(results);
   EXPECT_TRUE(view.scenes.empty());
-  EXPECT_EQ(totals_text(results), "0 scenes, 0 engines, 0 cells");
+  EXPECT_EQ(totals_text(results), "0 scenes, 0 engines, 0 images");
 }
 
 TEST(View, texts_read_well) {
@@ -99,7 +99,7 @@ TEST(View, texts_read_well) {
   EXPECT_EQ(exposure_text(-1.5), "exposure −1.5 EV");
   EXPECT_EQ(time_text("2026-02-03T04:05:06.5Z"), "2026-02-03 04:05:06 UTC");
   EXPECT_EQ(time_text("yesterday"), "yesterday");
-  EXPECT_EQ(totals_text(sample_results()), "2 scenes, 2 engines, 6 cells: 5 finished, 1 did not");
+  EXPECT_EQ(totals_text(sample_results()), "2 scenes, 2 engines, 6 images: 5 finished, 1 did not");
 }
 
 TEST(View, scenes_gates_and_changes_come_worst_first) {

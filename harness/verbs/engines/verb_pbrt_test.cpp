@@ -245,7 +245,7 @@ TEST_F(PbrtScenes, an_example_of_several_files_is_rendered_converted_and_measure
       "[[run]]\nengine = \"path\"\nbudgets = [\"spp=4\"]\nseeds = [1, 2]\n");
   const ProcessOutcome bench = run({"bench", "suite.toml", "-o", "out"});
   EXPECT_EQ(bench.exit_code, 0) << bench.standard_error << bench.standard_output;
-  EXPECT_NE(bench.standard_output.find("3 cells measured"), std::string::npos) << bench.standard_output;
+  EXPECT_NE(bench.standard_output.find("3 images measured"), std::string::npos) << bench.standard_output;
 }
 
 TEST_F(PbrtScenes, problems_are_told_at_once_and_left_out_when_asked) {
