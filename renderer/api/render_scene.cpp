@@ -51,6 +51,7 @@ RenderJob job_of(const SceneDescription& description, const RenderRequest& reque
   job.integrator_place = description.where(description.integrator.loc);
   job.interrupt = request.interrupt;
   job.progress = request.progress;
+  job.preview_seconds = request.preview_seconds;
   return job;
 }
 
@@ -82,6 +83,7 @@ class SceneRender {
   Rendered render() {
     prepare_checkpoint();
     build();
+    if (request_.preview) job_.preview = [this](Rendering image) { request_.preview(scaled(std::move(image)).mean); };
     Film film(window_);
     const std::size_t known = stats_.losses.size();
     photonproof::render(*scene_, plan_, job_, film, stats_);
@@ -97,6 +99,7 @@ class SceneRender {
     rendered.non_finite_values =
         static_cast<std::size_t>(std::ranges::count_if(values, [](float v) { return !std::isfinite(v); }));
     if (denoiser_) denoise(rendered);
+    if (request_.preview) request_.preview(rendered.image.mean);
     rendered.plan = std::move(plan_);
     rendered.stats = std::move(stats_);
     return rendered;
@@ -154,9 +157,14 @@ class SceneRender {
     keep(notes_on_missed_spots(description_, *scene_, pixels * samples_per_pixel()));
   }
 
-  Rendering developed(const Film& film) {
-    Rendering rendering = film.develop();
+  /// By the camera's factor, which the film does not have.
+  Rendering scaled(Rendering rendering) const {
     if (const double factor = scene_->view().camera.image_factor; factor != 1) scale_values(rendering, factor);
+    return rendering;
+  }
+
+  Rendering developed(const Film& film) {
+    Rendering rendering = scaled(film.develop());
     const FilmDescription& whole = description_.sensor.film;
     if (window_ != Tile{0, 0, whole.width, whole.height})
       rendering.place = {window_.x0, window_.y0, whole.width, whole.height};

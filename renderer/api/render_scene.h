@@ -47,6 +47,9 @@ struct RenderRequest {
   std::optional<CheckpointPolicy> checkpoint{};
   const std::atomic<bool>* interrupt = nullptr;                               ///< true ends the render early
   std::function<void(double fraction, const std::string& phase)> progress{};  ///< from one thread at a time
+  /// Gets the mean so far, every `preview_seconds` or less often, and at last the whole image. Rendering waits for it.
+  std::function<void(const Image& mean)> preview{};
+  double preview_seconds = 1;
   std::function<void(const SceneNote& warning)> warn{};  ///< as early as possible; RenderStats::losses has all
 };
 

@@ -14,6 +14,7 @@
 #include "renderer/kernels/isa.h"
 #include "renderer/lanes/sampler.h"
 #include "renderer/passes/aov.h"
+#include "scenes/images/image.h"
 
 namespace photonproof::inline renderer_passes {
 
@@ -39,6 +40,9 @@ struct RenderJob {
   const std::atomic<bool>* interrupt = nullptr;
   std::optional<CheckpointPolicy> checkpoint;                               ///< used by render_loop.h
   std::function<void(double fraction, const std::string& phase)> progress;  ///< from one thread at a time; may be empty
+  /// Gets the image so far, every `preview_seconds` or less often, while no sample is taken. Empty: nobody looks.
+  std::function<void(Rendering image)> preview;
+  double preview_seconds = 1;
 
   /// Throws InputError where `isa` is not a valid name.
   const Kernels& kernels() const { return kernels_for(isa); }

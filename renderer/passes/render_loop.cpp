@@ -68,7 +68,7 @@ bool RenderLoop::next() {
   samples_ = 0;
   first_negative_ += std::exchange(negative_, 0);
   if (schedule_.samples_done() > 0 && !resumed_pass_ && job_.interrupted()) return ended(true);
-  if (!resumed_pass_ && due()) write();
+  if (!resumed_pass_) pause();
   if (!resumed_pass_ && reached_target()) return ended(false);
   samples_ = schedule_.next();
   if (samples_ == 0) return ended(false);
@@ -178,12 +178,12 @@ void RenderLoop::for_each_tile(const std::function<void(const Tile&)>& body) {
   const Tiles tiles(film_.window());
   begin_units(tiles.count());
   while (pass_is_open() && !stops()) {
-    if (due()) write();
+    pause();
     std::vector<std::size_t> left;
     for (std::size_t i = 0; i < done_.size(); ++i)
       if (done_[i] == 0) left.push_back(i);
     threads_.for_each(left.size(), [&](std::size_t i) {
-      const bool waits = i > 0 && due();  // one tile is made however often checkpoints are due
+      const bool waits = i > 0 && pause_is_due();  // one tile is made however often pauses are due
       if (waits || stops()) return;
       body(tiles.at(left[i]));
       unit_is_done(left[i]);
@@ -195,10 +195,10 @@ void RenderLoop::for_each_in_order(std::size_t units, const std::function<void(s
                                    const std::function<void(std::size_t, std::size_t)>& commit) {
   begin_units(units);
   while (pass_is_open() && !stops()) {
-    if (due()) write();
+    pause();
     const std::size_t first = units_done_;
     bool begun = false;
-    const auto waits = [&] { return (std::exchange(begun, true) && due()) || stops(); };
+    const auto waits = [&] { return (std::exchange(begun, true) && pause_is_due()) || stops(); };
     threads_.for_each_in_order(
         first, units, waits, [&](std::size_t unit) { body(unit, unit % slots()); },
         [&](std::size_t unit) {
@@ -206,6 +206,17 @@ void RenderLoop::for_each_in_order(std::size_t units, const std::function<void(s
           unit_is_done(unit);
         });
   }
+}
+
+void RenderLoop::pause() {
+  if (checkpoint_is_due()) write();
+  if (preview_is_due()) show();
+}
+
+void RenderLoop::show() {
+  const PhaseTimer phase(stats_.phases["preview"]);
+  job_.preview(film_.develop());
+  since_preview_ = Timer();
 }
 
 void RenderLoop::write() {

@@ -8,6 +8,7 @@
 // A checkpoint holds the film, the ray counts, the finished units of the current pass (tiles, or chunks of light paths)
 // and the data passed to `keep`. It is copied between units, when none is in progress, so a pass may be longer than the
 // time between checkpoints. The copy, as large as the film, is written while rendering continues.
+// A preview of the image is made between units, too.
 // A resumed render processes the remaining units. Their random numbers depend only on their indices, so it ends with
 // the bits of an uninterrupted one.
 #pragma once
@@ -130,13 +131,19 @@ class RenderLoop {
   void say_if_dim();
   double fraction(double part) const;
   bool writes() const { return job_.checkpoint && job_.checkpoint->interval_seconds > 0; }
-  bool due() const { return writes() && since_write_.seconds() >= job_.checkpoint->interval_seconds; }
+  bool checkpoint_is_due() const { return writes() && since_write_.seconds() >= job_.checkpoint->interval_seconds; }
+  bool preview_is_due() const { return job_.preview && since_preview_.seconds() >= job_.preview_seconds; }
+  /// Whether units wait for a pause.
+  bool pause_is_due() const { return checkpoint_is_due() || preview_is_due(); }
+  /// Writes the checkpoint and shows the preview that are due, while no unit is in progress.
+  void pause();
   /// The first pass is always made whole, so that no pixel stays black.
   bool stops() const { return job_.interrupted() && first() > 0; }
   void begin_units(std::size_t count);
   bool pass_is_open() const { return units_done_ < done_.size(); }
   void unit_is_done(std::size_t unit);
   void write();
+  void show();
   void save(StateWriter& out) const;
   void restore(StateReader& in);
   bool ended(bool interrupted);
@@ -158,7 +165,7 @@ class RenderLoop {
   std::vector<std::uint8_t> done_;  ///< one per unit of the pass
   std::size_t units_done_ = 0;
   std::mutex progress_mutex_;
-  Timer since_progress_, since_write_;
+  Timer since_progress_, since_write_, since_preview_;
   struct Written {
     double seconds = 0;
     std::string problem;

@@ -8,10 +8,9 @@
 
 namespace photonproof::reports::inline reports_page {
 
-/// Sets {has_strip, strip: {href, scene, pictures}}. The scene is that of the worst failing gate, else that of the race
-/// with the largest ratio of errors in the same time, else of times, else the first with a reference. In a race the
-/// images are those of the first two engines whose times lie nearest to each other. Without a picture there is no
-/// strip.
+/// Sets {has_strip, strip: {href, scene, pictures}}. The scene is that of the worst failing gate, else of the clearest
+/// race, else the first with a reference. A race is clear by the ratio of errors in the same time, else of times. Its
+/// images are those of the first two engines whose times lie nearest to each other. Without a picture there is no strip.
 void set_strip(kainjow::mustache::data& page, const View& view, const std::filesystem::path& folder);
 
 }  // namespace photonproof::reports::inline reports_page

@@ -22,7 +22,7 @@ bool has_winner(const RaceRecord& race);
 /// 2.1 to 31 times sooner than the next; 2 undecided".
 std::string races_sentence(const View& view);
 
-/// What each engine reaches: a row for each race, a column for each engine.
+/// Results of races: a row for each race, a column for each engine.
 struct RaceTable {
   struct Cell {
     std::string value;  ///< "0.31 s", "> 9 s" or an error. The dash stands for an engine without a known one.

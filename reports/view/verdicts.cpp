@@ -37,7 +37,7 @@ std::string size_text(const CorrectnessRecord& record) {
     case Correctness::noisy: {
       if (!judged) return "";
       const double half = (record.whole->interval->high - record.whole->interval->low) / 2;
-      return half < 1 ? "±" + percent(half) : "by an unknown amount";
+      return half < 1 ? "±" + percent(half) : "beyond measure";
     }
     case Correctness::unknown:
       return record.whole ? signed_text(record.whole->value) : "";

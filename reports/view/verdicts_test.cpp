@@ -27,7 +27,7 @@ TEST(Verdicts, say_the_number_that_goes_with_them) {
   EXPECT_EQ(verdict_text(local), "biased at most 0.30 % of a block");
   EXPECT_EQ(verdict_text(record(Correctness::noisy, Estimate{0.01, Interval{-0.11, 0.13}})), "noisy ±12 %");
   EXPECT_EQ(verdict_text(record(Correctness::noisy, Estimate{0.01, Interval{-25.81, 25.83}})),
-            "noisy by an unknown amount");
+            "noisy beyond measure");
   EXPECT_EQ(verdict_text(record(Correctness::unknown)), "unknown");
   EXPECT_EQ(verdict_text(record(Correctness::unknown, Estimate{0.02, {}})), "unknown +2.0 %");
 }

@@ -2,12 +2,14 @@
 
 #include <cstdio>
 #include <filesystem>
+#include <optional>
 
 #include "harness/verbs/engine_output.h"
 #include "harness/verbs/interrupt.h"
 #include "harness/verbs/render/image_output.h"
 #include "harness/verbs/render/render_json.h"
 #include "harness/verbs/render/render_presets.h"
+#include "harness/verbs/render/tev_preview.h"
 #include "harness/verbs/usage/progress.h"
 #include "renderer/api/render_identity.h"
 #include "renderer/api/render_scene.h"
@@ -77,6 +79,7 @@ Task read_task(const RenderArguments& arguments, const std::vector<fs::path>& ou
 
 int print_plan(const RenderArguments& arguments) {
   if (arguments.resume) throw InputError("--resume", "does nothing with --plan, which renders nothing");
+  if (!arguments.preview.empty()) throw InputError("--preview", "does nothing with --plan, which renders nothing");
   Progress progress("none");
   const Task task = read_task(arguments, {}, progress);
   RenderPlan plan = plan_scene(task.scene, task.request);
@@ -146,6 +149,11 @@ int render_to_files(const RenderArguments& arguments) {
   Progress progress(arguments.progress);
   Task task = read_task(arguments, {arguments.output, stats_path, checkpoint}, progress);
   const double load_seconds = timer.seconds();
+  std::optional<TevPreview> preview;
+  if (!arguments.preview.empty()) {
+    preview.emplace(arguments.preview, arguments.output);
+    task.request.preview = [&](const Image& mean) { preview->show(mean); };
+  }
   task.request.checkpoint = CheckpointPolicy{checkpoint, arguments.checkpoint_seconds, arguments.resume, {}};
   Rendered rendered = render_scene(task.scene, task.request);
   progress.clear();

@@ -27,6 +27,7 @@ struct RenderArguments {
   std::string view = "whole";
   std::string isa;
   std::string progress = "auto";
+  std::string preview;  ///< "tev", "tev:PORT" or "tev:HOST:PORT"; empty: none
   std::vector<std::string> no_skip;
   bool denoise = false;
   std::vector<int> crop;  ///< x, y, width, height; empty: the scene's

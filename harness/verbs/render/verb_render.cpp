@@ -106,6 +106,8 @@ void add_run_options(CLI::App& verb, RenderArguments& arguments) {
                   "instruction set (default: the best here); v3 and v4 give the same bits, others differ")
       ->check(one_of(isas));
   verb.add_flag("--json", arguments.json, "print the stats as JSON");
+  verb.add_option("--preview", arguments.preview,
+                  "show the image once a second in the viewer tev, which runs: tev, tev:PORT or tev:HOST:PORT");
   add_progress_option(verb, arguments.progress);
   add_quiet_option(verb, arguments.progress);
 }
