@@ -157,7 +157,7 @@ class SceneRender {
     keep(notes_on_missed_spots(description_, *scene_, pixels * samples_per_pixel()));
   }
 
-  /// By the camera's factor, which the film does not have.
+  /// The values times the camera's factor, which the film does not have.
   Rendering scaled(Rendering rendering) const {
     if (const double factor = scene_->view().camera.image_factor; factor != 1) scale_values(rendering, factor);
     return rendering;

@@ -127,7 +127,7 @@ void set_races(data& page, const View& view) {
                            {"Time to the same error. Ranges are 95 % intervals over seeds; “at least” is a bound.",
                             "relMSE", "relative mean squared error"}));
   page.set("errors",
-           race_table_data(view, error_table(view), {"Error (relMSE) in the same time.", "time", "of one image"}));
+           race_table_data(view, error_table(view), {"Error (relMSE) in the same time.", "time", "time of one image"}));
 }
 
 void set_glance(data& page, const View& view) {
