@@ -3,7 +3,7 @@
 # Packages to build and run the program.
 build_packages="g++ cmake ninja-build pkg-config libembree-dev libopenimageio-dev libopenexr-dev libpng-dev libtbb-dev libpugixml-dev libassimp-dev
   libtomlplusplus-dev nlohmann-json3-dev libcli11-dev libfmt-dev libboost-dev libkainjow-mustache-dev
-  zlib1g-dev libcairo2-dev povray bubblewrap libarchive-tools git mount"
+  zlib1g-dev libsqlite3-dev libcairo2-dev povray bubblewrap libarchive-tools git mount"
 # Additional packages for the tests. The packages texlive-* take 394 MB; they compile tables and plots for papers.
 check_packages="libgtest-dev libgmock-dev libvalijson-dev libboost-math-dev clang-format chromium libxml2-utils shellcheck python3-yaml
   universal-ctags zstd xz-utils bzip2

@@ -18,6 +18,7 @@ void add_grade_verb(CLI::App& program, int& exit_code);
 void add_reference_verb(CLI::App& program, int& exit_code);
 void add_report_verb(CLI::App& program, int& exit_code);
 void add_verify_verb(CLI::App& program, int& exit_code);
+void add_history_verb(CLI::App& program, int& exit_code);
 void add_view_verb(CLI::App& program, int& exit_code);
 void add_decode_image_verb(CLI::App& program, int& exit_code);
 

@@ -20,13 +20,6 @@ namespace fs = std::filesystem;
 constexpr int max_side = 4096;
 constexpr std::size_t max_file_bytes = std::size_t{64} << 20;
 
-struct File {
-  fs::path path;
-  std::string bytes;
-  int width = 0, height = 0;
-  std::string problem;
-};
-
 std::uint32_t big_endian(std::string_view bytes) {
   std::uint32_t value = 0;
   for (const char c : bytes.substr(0, 4)) value = value << 8 | static_cast<unsigned char>(c);
@@ -34,7 +27,7 @@ std::uint32_t big_endian(std::string_view bytes) {
 }
 
 /// Fills in the size from the IHDR chunk, which PNG puts first: 8 bytes signature, length, type, width, height.
-void read_png_header(File& file, const std::string& name) {
+void read_png_header(PictureBytes& file, const std::string& name) {
   using namespace std::string_view_literals;
   const std::string_view bytes = file.bytes;
   if (!bytes.starts_with("\x89PNG\r\n\x1a\n\0\0\0\rIHDR"sv) || bytes.size() < 24) {
@@ -50,12 +43,12 @@ void read_png_header(File& file, const std::string& name) {
   file.height = static_cast<int>(height);
 }
 
-File read_picture(const fs::path& folder, const std::string& relative) {
-  const ResultsFile found = results_file(folder, relative);
-  File file{found.path, {}, 0, 0, found.problem};
+PictureBytes read_picture(const ResultsFile& found, const std::string& relative) {
+  PictureBytes file;
+  file.problem = found.problem;
   if (!file.problem.empty()) return file;
   try {
-    file.bytes = read_file(file.path, max_file_bytes);
+    file.bytes = read_file(found.path, max_file_bytes);
     read_png_header(file, relative);
   } catch (const InputError&) {
     file.problem = relative + " cannot be read";
@@ -63,29 +56,30 @@ File read_picture(const fs::path& folder, const std::string& relative) {
   return file;
 }
 
-EmbeddedPicture embed(const File& file) {
-  if (!file.problem.empty()) return {{}, 0, 0, file.problem, false};
-  return {"data:image/png;base64," + base64(file.bytes), file.width, file.height, {}, false};
-}
-
 }  // namespace
 
-EmbeddedPicture embed_thumbnail(const fs::path& folder, const std::string& relative, int longest_side) {
-  File file = read_picture(folder, relative);
-  const int side = std::max(file.width, file.height);
-  if (!file.problem.empty() || side <= longest_side) return embed(file);
+PictureBytes read_thumbnail(const fs::path& folder, const std::string& relative, int longest_side) {
+  const ResultsFile found = results_file(folder, relative);
+  PictureBytes picture = read_picture(found, relative);
+  const int side = std::max(picture.width, picture.height);
+  if (!picture.problem.empty() || side <= longest_side) return picture;
   try {
     const TemporaryFolder temporary;
     const std::string small = (temporary.path() / "thumbnail.png").string();
-    write_png(small, reduced_image(read_image(file.path.string()), (side + longest_side - 1) / longest_side));
-    file.bytes = read_file(small);
-    read_png_header(file, relative);
+    write_png(small, reduced_image(read_image(found.path.string()), (side + longest_side - 1) / longest_side));
+    picture.bytes = read_file(small);
+    read_png_header(picture, relative);
   } catch (const InputError&) {
-    file.problem = relative + " cannot be decoded";
+    picture.problem = relative + " cannot be decoded";
   }
-  EmbeddedPicture picture = embed(file);
   picture.reduced = true;
   return picture;
+}
+
+EmbeddedPicture embed_thumbnail(const fs::path& folder, const std::string& relative, int longest_side) {
+  const PictureBytes read = read_thumbnail(folder, relative, longest_side);
+  if (!read.problem.empty()) return {{}, 0, 0, read.problem, read.reduced};
+  return {"data:image/png;base64," + base64(read.bytes), read.width, read.height, {}, read.reduced};
 }
 
 }  // namespace photonproof::reports::inline reports_page

@@ -1,4 +1,4 @@
-// Embeds PNGs of a results folder as data URIs, so that a page needs no other file.
+// Reads PNGs of a results folder, and embeds them as data URIs, so that a page needs no other file.
 #pragma once
 
 #include <filesystem>
@@ -12,6 +12,16 @@ struct EmbeddedPicture {
   std::string problem;        ///< one sentence, empty on success
   bool reduced = false;       ///< a smaller copy of the file's picture
 };
+
+struct PictureBytes {
+  std::string bytes;  ///< of a PNG's file
+  int width = 0, height = 0;
+  std::string problem;
+  bool reduced = false;
+};
+
+/// The picture of `embed_thumbnail` as the bytes of a file.
+PictureBytes read_thumbnail(const std::filesystem::path& folder, const std::string& relative, int longest_side);
 
 /// `relative` comes from results.json and is not trusted: it must name a PNG inside `folder`, of at most 4096 pixels a
 /// side. The picture is reduced by a whole factor (area average of linear light) until no side is longer than

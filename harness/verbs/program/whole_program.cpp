@@ -27,6 +27,7 @@ void make_whole_program(CLI::App& program, int& exit_code) {
   add_bench_verb(program, exit_code);
   add_report_verb(program, exit_code);
   add_gate_verb(program, exit_code);
+  add_history_verb(program, exit_code);
   add_verify_verb(program, exit_code);
   add_grade_verb(program, exit_code);
   add_stress_verb(program, exit_code);
