@@ -4,8 +4,8 @@
 // is kept if permutations of its segment exceed its statistic rarely enough (Phipson and Smyth 2010, "Permutation
 // P-values should never be zero": p = (exceeding + 1) / (permutations + 1)).
 //
-// Symbols: a segment has n values x; an interval [s, e) is cut at t into means m1, m2 of n1, n2 values;
-// the statistic is the largest |m1 - m2| sqrt(n1 n2 / (n1 + n2)) over all intervals and cuts.
+// Symbols: a cut of an interval leaves n1 and n2 values with means m1 and m2. The statistic is the largest
+// |m1 - m2| sqrt(n1 n2 / (n1 + n2)) over all intervals and cuts.
 #pragma once
 
 #include <cstddef>

@@ -86,8 +86,8 @@ TEST(ChangePoints, steps_are_found_as_often_as_documented) {
   EXPECT_GE(power(30, 12, 0.05), 0.85);
 }
 
-// Annual flow of the Nile at Aswan, 1871 to 1970 (Cobb 1978, "The problem of the Nile: conditional solution to a
-// changepoint problem", Biometrika 65): the level falls after 1898, the 28th year, by all published methods.
+// Annual flow of the Nile at Aswan, 1871 to 1970 (Cobb 1978, "The problem of the Nile", Biometrika 65). The level falls
+// after 1898, the 28th year, by all published methods.
 TEST(ChangePoints, level_of_the_nile_falls_after_1898) {
   const std::vector<double> nile{
       1120, 1160, 963,  1210, 1160, 1160, 813,  1230, 1370, 1140, 995,  935,  1110, 994, 1020, 960,  1180,

@@ -37,6 +37,20 @@ CREATE TABLE shown(record INTEGER NOT NULL REFERENCES records(id), scene TEXT NO
   PRIMARY KEY(record, scene, engine, budget)) STRICT, WITHOUT ROWID;
 )";
 
+constexpr const char* series_insertion = R"(
+INSERT OR IGNORE INTO series(suite, scene, size, engine, budget, measure, machine) VALUES(?, ?, ?, ?, ?, ?, ?)
+)";
+// The first seven parameters are those of the series.
+constexpr const char* point_insertion = R"(
+INSERT OR REPLACE INTO points(series, record, value, low, high, calibration, seeds, verdict)
+  SELECT id, ?8, ?9, ?10, ?11, ?12, ?13, ?14 FROM series WHERE suite = ?1 AND scene = ?2 AND size = ?3
+    AND engine = ?4 AND budget = ?5 AND measure = ?6 AND machine = ?7
+)";
+constexpr const char* picture_query = R"(
+SELECT scene, engine, budget, seed, picture, png FROM shown JOIN pictures ON picture = pictures.checksum
+  JOIN records ON record = id WHERE commit_name = ? ORDER BY record DESC
+)";
+
 /// One row of `points`, before the records of a commit are merged.
 struct StoredPoint {
   std::size_t commit = 0;
@@ -166,14 +180,7 @@ bool HistoryFile::add(const HistoryRecord& record) {
 }
 
 void HistoryFile::add_values(std::int64_t record, const std::vector<HistoryValue>& values) {
-  SqliteStatement insert_series(
-      database_,
-      "INSERT OR IGNORE INTO series(suite, scene, size, engine, budget, measure, machine) VALUES(?, ?, ?, ?, ?, ?, ?)");
-  SqliteStatement insert_point(
-      database_,
-      "INSERT OR REPLACE INTO points(series, record, value, low, high, calibration, seeds, verdict) SELECT id, ?8, ?9, "
-      "?10, ?11, ?12, ?13, ?14 FROM series WHERE suite = ?1 AND scene = ?2 AND size = ?3 AND engine = ?4 AND budget = "
-      "?5 AND measure = ?6 AND machine = ?7");
+  SqliteStatement insert_series(database_, series_insertion), insert_point(database_, point_insertion);
   for (const HistoryValue& value : values) {
     for (SqliteStatement* statement : {&insert_series, &insert_point}) {
       int parameter = 0;
@@ -257,9 +264,7 @@ reports::History HistoryFile::load() {
 }
 
 std::vector<HistoryPicture> HistoryFile::pictures_of(const std::string& commit) {
-  SqliteStatement find(database_,
-                       "SELECT scene, engine, budget, seed, checksum, png FROM shown JOIN pictures ON picture = "
-                       "checksum JOIN records ON record = id WHERE commit_name = ? ORDER BY record DESC");
+  SqliteStatement find(database_, picture_query);
   find.bind(1, commit);
   std::vector<HistoryPicture> pictures;
   std::set<std::tuple<std::string, std::string, std::string>> seen;

@@ -5,6 +5,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <csignal>
 #include <cstdlib>
 #include <filesystem>
 #include <string>
@@ -82,8 +84,8 @@ TEST_F(HistoryFileTest, records_of_a_commit_are_one_point_at_their_median) {
   EXPECT_NEAR(history.series[0].points[0].interval->low, 0.17, 1e-12);
 }
 
-// Two sessions on a machine that was half as fast in the second: 2 s and 4 s with calibrations of 10 and 20 ms are the
-// same time at the median calibration of 15 ms, 3 s.
+// The machine was half as fast in the second session. So 2 s and 4 s with calibrations of 10 and 20 ms are the same
+// time: 3 s at the median calibration of 15 ms.
 TEST_F(HistoryFileTest, calibration_takes_the_machines_speed_out_of_times) {
   for (const auto& [commit, factor] : {std::pair("a", 1.0), std::pair("b", 2.0)}) {
     HistoryRecord record = record_of(commit, static_cast<std::int64_t>(factor), 0.1);

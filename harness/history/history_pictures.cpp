@@ -6,6 +6,7 @@
 #include <tuple>
 #include <utility>
 
+#include "harness/history/history_values.h"
 #include "harness/metrics/heatmap.h"
 #include "harness/metrics/metric_run.h"
 #include "harness/metrics/metrics.h"
@@ -82,10 +83,10 @@ std::string publish(const fs::path& from, const fs::path& folder, const std::str
 
 std::vector<HistoryPicture> pictures_of(const Results& results, const fs::path& folder) {
   std::map<std::tuple<std::string, std::string, std::string>, const Result*> first;
-  for (const Result& result : results.results) {
-    if (result.status != Status::ok || !result.pictures.contains("image")) continue;
-    const Result*& kept = first[{result.cell.scene, result.cell.engine, result.cell.budget.label()}];
-    if (kept == nullptr || result.cell.seed < kept->cell.seed) kept = &result;
+  for (const Result* result : measured_cells(results)) {
+    if (!result->pictures.contains("image")) continue;
+    const Result*& kept = first[{result->cell.scene, result->cell.engine, result->cell.budget.label()}];
+    if (kept == nullptr || result->cell.seed < kept->cell.seed) kept = result;
   }
   std::vector<HistoryPicture> pictures;
   for (const auto& [names, result] : first)

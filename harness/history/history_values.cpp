@@ -117,14 +117,20 @@ void add_cells(const Results& results, const Cells& cells, SeriesKey key, ValueL
 
 }  // namespace
 
-std::vector<HistoryValue> values_of(const Results& results) {
+std::vector<const Result*> measured_cells(const Results& results) {
   std::set<std::string> references;
   for (const SceneRecord& scene : results.scenes) references.insert(scene.reference_label);
+  Cells cells;
+  for (const Result& result : results.results)
+    if (result.status == Status::ok && !references.contains(result.cell.label())) cells.push_back(&result);
+  return cells;
+}
+
+std::vector<HistoryValue> values_of(const Results& results) {
   std::map<std::string, std::string> sizes = sizes_of(results);
   std::map<std::tuple<std::string, std::string, std::string>, Cells> groups;
-  for (const Result& result : results.results)
-    if (result.status == Status::ok && !references.contains(result.cell.label()))
-      groups[{result.cell.scene, result.cell.engine, result.cell.budget.label()}].push_back(&result);
+  for (const Result* result : measured_cells(results))
+    groups[{result->cell.scene, result->cell.engine, result->cell.budget.label()}].push_back(result);
   ValueList list;
   for (const auto& [names, cells] : groups) {
     const Cell& cell = cells.front()->cell;

@@ -20,6 +20,9 @@ struct HistoryValue {
   std::string verdict{};  ///< of a gate: "pass", "fail", "inconclusive"
 };
 
+/// The finished cells that do not serve as a reference.
+std::vector<const Result*> measured_cells(const Results& results);
+
 /// Values of each scene, engine and budget: medians of times and instructions over its finished cells, and the mean
 /// relMSE. Cells that serve as a reference are left out. A gate has the value that it observed. Numbers beyond the
 /// range of double are left out.

@@ -15,7 +15,7 @@
 #include "harness/history/history_pictures.h"
 #include "harness/history/history_steps.h"
 #include "harness/history/history_values.h"
-#include "harness/verbs/usage/name_hints.h"
+#include "harness/verbs/record_folder.h"
 #include "harness/verbs/usage/verb_usage.h"
 #include "harness/verbs/verbs.h"
 #include "reports/history/history_comparison.h"
@@ -43,11 +43,6 @@ struct HistoryOptions {
   std::size_t pictures = 6;
   bool fail = false;
 };
-
-fs::path folder_of(const std::string& file) {
-  const fs::path folder = fs::path(file).parent_path();
-  return folder.empty() ? fs::path(".") : folder;
-}
 
 /// The hash in "photonproof 0.2.0 (836524249e63)": it stands for the sources of the renderer.
 std::string own_commit(const std::string& file, const Results& results) {
@@ -157,7 +152,8 @@ int run_comment(const HistoryOptions& options) {
   const std::size_t base = options.base.empty() ? head - 1 : find_commit(history, "--base", options.base);
   if (base == head) throw InputError("--base", "is the head itself");
   reports::HistoryComparison comparison = compare_commits(history, base, head);
-  const fs::path pictures = folder_of(options.comment) / (fs::path(options.comment).stem().string() + "-pictures");
+  const fs::path pictures =
+      fs::path(options.comment).replace_filename(fs::path(options.comment).stem().string() + "-pictures");
   compare_pictures(file.pictures_of(comparison.base.name), file.pictures_of(comparison.head.name), pictures,
                    options.pictures, comparison);
   write_file_atomically(options.comment, reports::comparison_markdown(comparison, options.picture_url));

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "harness/verbs/record_folder.h"
 #include "harness/verbs/usage/verb_usage.h"
 #include "harness/verbs/verbs.h"
 #include "reports/formats/formats.h"
@@ -34,12 +35,6 @@ struct ReportOptions {
   std::vector<std::string> given;  ///< options of formats for papers
   bool json = false;
 };
-
-/// The folder of a file named on the command line; "results.json" alone is in the current one.
-fs::path folder_of(const std::string& file) {
-  const fs::path folder = fs::path(file).parent_path();
-  return folder.empty() ? fs::path(".") : folder;
-}
 
 /// The record, and the images and pictures that it names.
 std::vector<InputFile> inputs_of(const std::string& file, const Results& results, const fs::path& folder) {

@@ -108,10 +108,12 @@ std::string comparison_sentence(const HistoryComparison& comparison) {
 }
 
 std::string comparison_markdown(const HistoryComparison& comparison, const std::string& picture_url) {
-  return fmt::format("### photonproof: {}\n\n{} compared with {}. {}\n\n{}{}{}",
-                     markdown_text(comparison_sentence(comparison)), markdown_text(commit_text(comparison.head.name)),
-                     markdown_text(commit_text(comparison.base.name)), note(comparison), changes_table(comparison),
-                     gates_table(comparison), pictures_table(comparison, picture_url));
+  std::string out = fmt::format(
+      "### photonproof: {}\n\n{} compared with {}. {}\n\n{}{}{}", markdown_text(comparison_sentence(comparison)),
+      markdown_text(commit_text(comparison.head.name)), markdown_text(commit_text(comparison.base.name)),
+      note(comparison), changes_table(comparison), gates_table(comparison), pictures_table(comparison, picture_url));
+  out.pop_back();  // each part ends with an empty line
+  return out;
 }
 
 }  // namespace photonproof::reports::inline reports_history

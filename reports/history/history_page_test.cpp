@@ -133,7 +133,7 @@ TEST(HistoryComment, has_sentence_table_and_pictures) {
             "| <img src=\"https://example.org/pr/c/1-old.png\" alt=\"old\" width=\"256\"> "
             "| <img src=\"https://example.org/pr/c/1-new.png\" alt=\"new\" width=\"256\"> "
             "| <img src=\"https://example.org/pr/c/1-difference.png\" alt=\"difference\" width=\"256\"> |\n\n"
-            "</details>\n\n");
+            "</details>\n");
 }
 
 TEST(HistoryComment, names_of_others_are_no_markup_and_the_comment_fits) {

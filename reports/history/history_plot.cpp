@@ -48,37 +48,46 @@ std::vector<Marker> markers_of(const HistorySeries& series, std::size_t most) {
   return markers;
 }
 
-/// Maps values to the frame, and has round ticks.
+/// Maps values to the frame, and has round ticks. Positions are fractions of halves or of logarithms, so they are
+/// finite for every range of double.
 class ValueAxis {
  public:
   ValueAxis(double low, double high) {
-    if (low > 0 && high / low > longest_linear) {
-      logarithmic_ = true;
-      log_ = {log_axis(low, high), bottom, top};
-      ticks = log_.axis.ticks;
-      if (ticks.size() > 4) ticks = {ticks.front(), ticks[ticks.size() / 2], ticks.back()};
-      return;
-    }
-    // Halves keep the sums of huge values finite.
-    const double middle = low / 2 + high / 2;
-    const double reach = std::max({(high / 2 - low / 2) * 1.15, std::abs(middle) * 0.03, 1e-300});
+    const bool is_long = low > 0 && std::log(high) - std::log(low) > std::log(longest_linear);
+    is_long ? set_logarithmic(low, high) : set_linear(low, high);
+  }
+  double operator()(double value) const {
+    const double part = (scaled(value) - low_) / (high_ - low_);
+    return bottom + std::clamp(part, 0.0, 1.0) * (top - bottom);
+  }
+  std::vector<double> ticks;
+
+ private:
+  double scaled(double value) const { return logarithmic_ ? std::log(value) : value / 2; }
+  void set_logarithmic(double low, double high) {
+    constexpr double most_decades = 100;
+    logarithmic_ = true;
+    const double margin = 0.06 * (std::log(high) - std::log(low));
+    low_ = std::log(low) - margin;
+    high_ = std::log(high) + margin;
+    ticks = {low, high};
+    if (high_ - low_ > most_decades * std::log(10.0)) return;
+    const std::vector<double> round = log_axis(low, high).ticks;
+    if (round.size() > 2) ticks = {round.front(), round[round.size() / 2], round.back()};
+  }
+  void set_linear(double low, double high) {
+    const double middle = low / 4 + high / 4;
+    const double reach = std::max({(high / 4 - low / 4) * 1.15, std::abs(middle) * 0.03, 1e-300});
     low_ = middle - reach;
     high_ = middle + reach;
     const double power = std::pow(10.0, std::floor(std::log10(reach)));
     const double parts = reach / power;
     const double step = power * (parts > 5 ? 5 : parts > 2 ? 2 : 1);
     for (double tick = std::ceil(low_ / step) * step; tick <= high_ && ticks.size() < 6; tick += step)
-      ticks.push_back(std::abs(tick) < step * 1e-6 ? 0 : tick);
+      if (std::isfinite(2 * tick)) ticks.push_back(std::abs(tick) < step * 1e-6 ? 0 : 2 * tick);
   }
-  double operator()(double value) const {
-    return logarithmic_ ? log_(value) : bottom + std::clamp((value - low_) / (high_ - low_), 0.0, 1.0) * (top - bottom);
-  }
-  std::vector<double> ticks;
-
- private:
   bool logarithmic_ = false;
-  LogScale log_;
-  double low_ = 0, high_ = 1;
+  double low_ = 0, high_ = 1;  // on the scale of `scaled`
 };
 
 class Plot {
