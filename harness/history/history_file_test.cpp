@@ -49,10 +49,10 @@ class HistoryFileTest : public FolderTest {
 };
 
 TEST_F(HistoryFileTest, series_are_ordered_by_the_dates_of_commits) {
-  add(record_of("second", 200, 0.2));
-  add(record_of("first", 100, 0.1));
+  add(record_of("newer", 200, 0.2));
+  add(record_of("older", 100, 0.1));
   const History history = load();
-  ASSERT_EQ(history.commits, (std::vector<reports::HistoryCommit>{{"first", 100}, {"second", 200}}));
+  ASSERT_EQ(history.commits, (std::vector<reports::HistoryCommit>{{"older", 100}, {"newer", 200}}));
   ASSERT_EQ(history.series.size(), 1u);
   EXPECT_EQ(history.series[0].points.at(0).value, 0.1);
   EXPECT_EQ(history.series[0].points.at(1).value, 0.2);

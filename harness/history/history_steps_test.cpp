@@ -74,12 +74,12 @@ TEST(HistorySteps, repeated_value_that_changes_is_a_step_at_once) {
   EXPECT_EQ(reports::last_step_sentence(history), "relMSE of photonmapper on cornell rose 20 % at c4");
 }
 
-// An interval of [0.4, 0.6] is one of 1.96 standard errors of 0.1034 on the logarithm. Both levels together have 0.146,
-// and 20 % is a difference of 0.182, less than 3.29 of them.
+// An interval of -+12 % is one of 1.96 standard errors of 0.0615 on the logarithm. Both levels together have 0.0870,
+// and 20 % is a difference of 0.182: more than two of them, less than 3.29.
 TEST(HistorySteps, change_that_the_seeds_explain_is_no_step) {
   History history = history_of({0.5, 0.5, 0.5, 0.5, 0.6});
   for (reports::HistoryPoint& point : history.series[0].points)
-    point.interval = Interval{point.value * 0.8, point.value * 1.2};
+    point.interval = Interval{point.value * 0.88, point.value * 1.12};
   find_steps(history);
   EXPECT_TRUE(history.series[0].steps.empty());
   EXPECT_EQ(history.series[0].levels.size(), 1u);
@@ -111,6 +111,11 @@ TEST(HistorySteps, gate_that_observes_either_sign_moves_by_a_difference) {
   EXPECT_EQ(reports::last_step_sentence(history),
             "gate bias of photonmapper on cornell moved from −0.10 % to +2.0 % at c3");
   EXPECT_TRUE(reports::is_worse(history.series[0].key, history.series[0].steps.at(0)));
+  History positive = history_of({0.001, 0.001, 0.001, 0.02, 0.02}, Measure::gate);
+  positive.series[0].key.budget = "bias";
+  find_steps(positive);
+  EXPECT_EQ(reports::last_step_sentence(positive),
+            "gate bias of photonmapper on cornell moved from +0.10 % to +2.0 % at c3");
 }
 
 TEST(HistorySteps, huge_values_stay_finite_or_are_told) {
@@ -188,6 +193,19 @@ TEST(HistoryChanges, gates_are_listed_when_their_verdict_changes_or_is_no_pass) 
   EXPECT_TRUE(reports::is_worse(worse));
   EXPECT_TRUE(reports::comparison_sentence(worse).ends_with("; 1 gate fails"));
   EXPECT_TRUE(compare_commits(history, 1, 2).gates.empty());
+  history.series[0].points[2].verdict = GateVerdict::fail;
+  EXPECT_EQ(compare_commits(history, 2, 3).gates.size(), 1u);
+  reports::HistoryComparison gates_alone;
+  gates_alone.gates = compare_commits(history, 2, 3).gates;
+  EXPECT_FALSE(reports::is_worse(gates_alone));
+}
+
+TEST(HistoryChanges, repeated_value_changes_from_one_percent_on) {
+  for (const auto& [value, found] : {std::pair(1.011, 1u), std::pair(1.009, 0u)}) {
+    History history = history_of({1, 1, 1, value});
+    find_steps(history);
+    EXPECT_EQ(compare_commits(history, 2, 3).changes.size(), found) << value;
+  }
 }
 
 TEST(HistoryChanges, commits_are_found_by_their_beginning) {

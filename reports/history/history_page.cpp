@@ -47,19 +47,30 @@ data steps_data(const History& history, const std::vector<NamedStep>& steps) {
   return rows;
 }
 
-std::string remark_on(const HistorySeries& series) {
+/// Without the calibration's workload, which only tells series apart.
+std::string machine_text(const SeriesKey& key) { return key.machine.substr(0, key.machine.find(", calibration ")); }
+
+std::set<std::string> machines_of(const History& history) {
+  std::set<std::string> machines;
+  for (const HistorySeries& series : history.series)
+    if (!series.key.machine.empty()) machines.insert(machine_text(series.key));
+  return machines;
+}
+
+/// The machine is named where the history has several.
+std::string remark_on(const HistorySeries& series, bool names_machine) {
   std::string remark = fmt::format("{} commit{}", series.points.size(), series.points.size() == 1 ? "" : "s");
   if (series.is_calibrated) remark += ", by calibration";
   if (!series.is_judged) remark += ", not judged: it follows the load";
-  if (!series.key.machine.empty()) remark += "; " + series.key.machine;
+  if (names_machine && !series.key.machine.empty()) remark += "; " + machine_text(series.key);
   return remark;
 }
 
-data plot_data(const History& history, const HistorySeries& series, std::size_t markers) {
+data plot_data(const History& history, const HistorySeries& series, std::size_t markers, bool names_machine) {
   data plot;
   plot.set("quantity", printable(measure_text(series.key)));
   plot.set("value", value_text(series.key, series.points.back().value));
-  plot.set("remark", printable(remark_on(series)));
+  plot.set("remark", printable(remark_on(series, names_machine)));
   plot.set("svg", history_plot_svg(history, series, markers));
   return plot;
 }
@@ -72,6 +83,7 @@ data scenes_data(const History& history, std::size_t markers) {
   };
   std::set<std::string> suites;
   for (const HistorySeries& series : history.series) suites.insert(series.key.suite);
+  const bool names_machine = machines_of(history).size() > 1;
   data scenes(data::type::list);
   const auto& all = history.series;
   for (std::size_t first = 0, end = 0; first < all.size(); first = end) {
@@ -87,7 +99,7 @@ data scenes_data(const History& history, std::size_t markers) {
       made.set("engine", printable(std::get<0>(group)));
       made.set("budget", printable(std::get<1>(group)));
       for (std::size_t i = first; i < end; ++i)
-        if (group_of(all[i].key) == group) plots.push_back(plot_data(history, all[i], markers));
+        if (group_of(all[i].key) == group) plots.push_back(plot_data(history, all[i], markers, names_machine));
       made.set("plots", plots);
       group_list.push_back(made);
     }
@@ -97,19 +109,8 @@ data scenes_data(const History& history, std::size_t markers) {
   return scenes;
 }
 
-std::string machines_text(const History& history) {
-  std::set<std::string> machines;
-  for (const HistorySeries& series : history.series)
-    if (!series.key.machine.empty()) machines.insert(series.key.machine);
-  return machines.empty() ? "none" : fmt::format("{}", fmt::join(machines, "; "));
-}
-
 bool has_instructions(const History& history) {
   return std::ranges::any_of(history.series, [](const auto& s) { return s.key.measure == Measure::instructions; });
-}
-
-bool has_times(const History& history) {
-  return std::ranges::any_of(history.series, [](const auto& s) { return !s.key.machine.empty(); });
 }
 
 }  // namespace
@@ -128,11 +129,14 @@ void write_history_page(const History& history, const std::string& name, const s
   page.set("first", date_text(history.commits.front().date));
   page.set("last", date_text(history.commits.back().date));
   page.set("records", std::to_string(history.records));
-  page.set("machines", printable(machines_text(history)));
-  page.set("lacks_instructions", has_times(history) && !has_instructions(history));
+  const std::set<std::string> machines = machines_of(history);
+  page.set("has_machines", !machines.empty());
+  page.set("machines", printable(fmt::format("{}", fmt::join(machines, "; "))));
+  page.set("lacks_instructions", !machines.empty() && !has_instructions(history));
   page.set("has_steps", !steps.empty());
   page.set("steps", steps_data(history, steps));
-  page.set("more_steps", steps.size() > most_steps ? std::to_string(steps.size() - most_steps) : "");
+  page.set("has_more_steps", steps.size() > most_steps);
+  page.set("more_steps", std::to_string(steps.size() - std::min(steps.size(), most_steps)));
   page.set("scenes", scenes_data(history, markers));
   write_file_atomically(out, rendered_page(history_templates::history, page));
 }

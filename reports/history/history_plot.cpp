@@ -16,7 +16,7 @@ namespace photonproof::reports::inline reports_history {
 namespace {
 
 // The drawing's box and the frame inside it, in SVG units.
-constexpr double width = 360, height = 176, left = 62, right = 350, top = 24, bottom = 150;
+constexpr double width = 360, height = 176, left = 70, right = 350, top = 24, bottom = 150;
 // Values that span more than this factor have a logarithmic axis.
 constexpr double longest_linear = 10;
 
