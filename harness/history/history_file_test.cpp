@@ -175,14 +175,22 @@ TEST_F(HistoryFileTest, damaged_files_are_errors_or_finite_numbers) {
 
 TEST_F(HistoryFileTest, addition_that_fails_leaves_the_file_as_it_was) {
   add(record_of("a", 1, 0.1));
-  run("CREATE TRIGGER t BEFORE INSERT ON points BEGIN SELECT 1; END");  // triggers of the file are never run
-  add(record_of("b", 2, 0.2));
-  EXPECT_EQ(load().series.at(0).points.size(), 2u);
   {
     SqliteDatabase database(path(), Access::write);
     SqliteTransaction transaction(database);
     database.run("DELETE FROM points");
   }
+  EXPECT_EQ(load().series.at(0).points.size(), 1u);
+  run("DROP TABLE shown");  // pictures are the last part of an addition
+  EXPECT_NE(input_error_of([&] { add(record_of("b", 2, 0.2)); }).find("no such table: shown"), std::string::npos);
+  EXPECT_EQ(load().records, 1u);
+  EXPECT_EQ(load().series.at(0).points.size(), 1u);
+}
+
+TEST_F(HistoryFileTest, triggers_of_the_file_are_never_run) {
+  add(record_of("a", 1, 0.1));
+  run("CREATE TRIGGER t AFTER INSERT ON points BEGIN DELETE FROM points; END");
+  add(record_of("b", 2, 0.2));
   EXPECT_EQ(load().series.at(0).points.size(), 2u);
 }
 
@@ -312,6 +320,7 @@ TEST(HistoryValues, gates_have_the_value_that_they_observed_and_their_verdict) {
   gate.observed.reset();
   results.gates.push_back(gate);
   std::vector<HistoryValue> gates = values_of(results);
+  EXPECT_EQ(gates.size(), 6u);  // four of cells, two of gates
   std::erase_if(gates, [](const HistoryValue& value) { return value.key.measure != Measure::gate; });
   ASSERT_EQ(gates.size(), 2u);
   EXPECT_EQ(gates[0].key.budget, "agreement");
