@@ -158,6 +158,15 @@ TEST(HistoryComment, without_a_change_says_so) {
 TEST(HistoryWords, values_have_units) {
   const SeriesKey key{"", "", "", "", "", Measure::instructions};
   EXPECT_EQ(value_text(key, 2.314e9), "2.31 G");
+  const SeriesKey gate{"", "", "", "", "agreement", Measure::gate},
+      likeness{"", "", "", "", "ssim, mine", Measure::gate};
+  EXPECT_EQ(value_text(gate, 0.0004), "+0.040 %");
+  EXPECT_EQ(value_text(gate, -0.031), "−3.1 %");
+  EXPECT_EQ(value_text(gate, -4e-6), "0 %");
+  EXPECT_EQ(value_text(likeness, 0.98), "0.980");
+  EXPECT_TRUE(is_worse(gate, {0, 0.01, -0.03, false, -0.04, {}}));
+  EXPECT_FALSE(is_worse(gate, {0, 0.05, -0.03, false, -0.08, {}}));
+  EXPECT_TRUE(is_worse(likeness, {0, 0.9, 0.8, false, -0.1, {}}));
   EXPECT_EQ(commit_text("0123456789abcdef0123"), "0123456789");
   EXPECT_EQ(commit_text("release-candidate-1"), "release-candidate-1");
   EXPECT_EQ(date_text(1795955633), "2026-11-29 12:33 UTC");

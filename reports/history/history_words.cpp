@@ -31,6 +31,13 @@ bool is_likeness(const SeriesKey& key) {
   return metric == "ssim" || metric == "ms_ssim" || metric == "psnr";
 }
 
+/// "+0.040 %", "−3.1 %"; "0 %" where it rounds to 0.000.
+std::string signed_percentage(double fraction) {
+  constexpr double least = 5e-6;
+  if (std::abs(fraction) < least) return "0 %";
+  return (fraction > 0 ? "+" : "") + significant(100 * fraction, 2) + " %";
+}
+
 /// Ends of a change, in its direction: of a fall by 12 % they are 9 and 15.
 std::string interval_text(const HistoryStep& step, bool falls) {
   if (!step.interval) return "";
@@ -80,7 +87,7 @@ std::string value_text(const SeriesKey& key, double value) {
              : value >= 1e6 ? significant(value / 1e6) + " M"
                             : significant(value);
     case Measure::gate:
-      if (is_relative_gate(key)) return (value > 0 ? "+" : "") + significant(100 * value, 2) + " %";
+      if (is_relative_gate(key)) return signed_percentage(value);
       break;
     case Measure::relmse:
       break;
