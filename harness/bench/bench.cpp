@@ -408,6 +408,7 @@ class Bench {
       if (planned.unsupported) results.results.push_back(unsupported_result(planned));
       if (planned.found) results.results.push_back(planned.found->kept.result);
     }
+    note_absent_instructions(results);
     results.convergence = convergence_;
     results.races = races_;
     results.changes = changes_;

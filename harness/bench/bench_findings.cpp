@@ -85,4 +85,11 @@ std::vector<std::string> findings_of_bench(const Results& results, const std::fi
   return findings;
 }
 
+void note_absent_instructions(Results& results) {
+  const auto finished = [](const Result& result) { return result.status == Status::ok; };
+  if (std::ranges::any_of(results.results, finished) &&
+      std::ranges::none_of(results.results, [](const Result& result) { return result.instructions.has_value(); }))
+    results.versions["instructions"] = "not counted by this kernel";
+}
+
 }  // namespace photonproof::inline harness_bench

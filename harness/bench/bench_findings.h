@@ -17,4 +17,8 @@ namespace photonproof::inline harness_bench {
 /// Images that cannot be read are left out. `folder` is that of results.json.
 std::vector<std::string> findings_of_bench(const Results& results, const std::filesystem::path& folder);
 
+/// Sets "instructions" among the record's versions to "not counted by this kernel" if cells finished and none has a
+/// count. Containers and virtual machines often have no counters.
+void note_absent_instructions(Results& results);
+
 }  // namespace photonproof::inline harness_bench

@@ -1,5 +1,6 @@
 #include "harness/bench/bench.h"
 
+#include "harness/bench/bench_findings.h"
 #include "harness/gates/test_gates.h"
 
 namespace photonproof::inline harness_bench {
@@ -62,7 +63,7 @@ TEST_F(BenchRun, reference_runs_first_and_the_others_are_compared_with_it) {
   const Results record = results();
   EXPECT_EQ(record.suite, "fake");
   EXPECT_EQ(record.command, "bench fake");
-  EXPECT_EQ(record.versions, options_.versions);
+  EXPECT_EQ(record.versions.at("test"), "1");
   ASSERT_EQ(record.scenes.size(), 1u);
   EXPECT_EQ(record.scenes[0].purpose, "to be measured");
   EXPECT_EQ(record.scenes[0].exposure, 0.5);
@@ -81,6 +82,28 @@ TEST_F(BenchRun, reference_runs_first_and_the_others_are_compared_with_it) {
   EXPECT_EQ(other.engine_version, "fake 1");
   ASSERT_TRUE(other.calibration && reference.calibration);
   EXPECT_EQ(other.calibration->threads, 1);
+}
+
+// The kernel here may count or not: the record has counts, or says that there are none.
+TEST_F(BenchRun, record_has_instruction_counts_or_says_that_the_kernel_has_none) {
+  run(suite_text("grey", {"brighter"}));
+  const Results record = results();
+  const bool counted = result_of("brighter").instructions.has_value() || result_of("grey").instructions.has_value();
+  EXPECT_EQ(record.versions.contains("instructions"), !counted);
+}
+
+TEST(BenchFindings, absent_instruction_counts_are_told_of_finished_cells_alone) {
+  Results made;
+  note_absent_instructions(made);
+  EXPECT_FALSE(made.versions.contains("instructions"));
+  made.results.resize(2);
+  made.results[0].status = Status::crash;
+  made.results[1].instructions = 1000;
+  note_absent_instructions(made);
+  EXPECT_FALSE(made.versions.contains("instructions"));
+  made.results[1].instructions.reset();
+  note_absent_instructions(made);
+  EXPECT_EQ(made.versions["instructions"], "not counted by this kernel");
 }
 
 TEST_F(BenchRun, second_run_measures_nothing_and_changes_no_byte) {
