@@ -19,8 +19,8 @@ namespace photonproof::inline harness_conclusions {
 ///
 /// Ratios. A ratio of values has the interval exp(ln ratio +- hypot(h1, h2)). Here h1 and h2 are the half-widths of
 /// both engines' intervals in logarithms (time_to_target, error_curve.h). A bound has a rank only where it settles its
-/// order to the fastest engine with the confidence of its interval: "at most 3 s" is neither faster nor slower than
-/// 2 s. Its ratio is then the least that the intervals allow. Errors of an engine that grow with the budget
+/// order to the fastest engine with the confidence of its interval. "At most 3 s" is neither faster nor slower than 2
+/// s. The ratio of a bound is the least that the intervals allow. Errors of an engine that grow with the budget
 /// (known_points) are left out.
 std::vector<RaceRecord> races_of(const std::vector<Convergence>& curves);
 

@@ -21,7 +21,7 @@
 namespace photonproof::inline harness_verbs_render {
 namespace {
 
-/// What a viewer was told of one image.
+/// The packets about one image, as the viewer understood them.
 struct Shown {
   std::string name;
   std::int32_t width = 0, height = 0;
