@@ -17,12 +17,13 @@ std::string percent(double fraction) { return significant(100 * fraction, 2) + "
 
 std::string signed_text(double fraction) { return (fraction < 0 ? "−" : "+") + percent(std::abs(fraction)); }
 
-/// The bias of a block, or the most that it can be where the block alone does not prove it.
+/// The bias of a block, or the most that it can be where the block alone does not prove it. A bound of 100 % and more
+/// is that of a rare bright sample that no seed met, and tells nothing.
 std::string block_text(const Estimate& block) {
-  if (block.interval && !excludes_zero(*block.interval))
-    return "at most " + percent(std::max(std::abs(block.interval->low), std::abs(block.interval->high))) +
-           " of a block";
-  return signed_text(block.value) + " in a block";
+  const Interval at = block.interval.value_or(Interval{block.value, block.value});
+  const double most = std::max(std::abs(at.low), std::abs(at.high));
+  if (excludes_zero(at) || most >= 1) return signed_text(block.value) + " in a block";
+  return "at most " + percent(most) + " of a block";
 }
 
 /// The number beside a verdict; empty if it has none.

@@ -25,9 +25,10 @@ TEST(Verdicts, say_the_number_that_goes_with_them) {
   EXPECT_EQ(verdict_text(local), "biased −3.0 % in a block");
   local.block = Estimate{0.001, Interval{-0.001, 0.003}};
   EXPECT_EQ(verdict_text(local), "biased at most 0.30 % of a block");
+  local.block = Estimate{-0.019, Interval{-5.93, 5.89}};
+  EXPECT_EQ(verdict_text(local), "biased −1.9 % in a block");
   EXPECT_EQ(verdict_text(record(Correctness::noisy, Estimate{0.01, Interval{-0.11, 0.13}})), "noisy ±12 %");
-  EXPECT_EQ(verdict_text(record(Correctness::noisy, Estimate{0.01, Interval{-25.81, 25.83}})),
-            "noisy beyond measure");
+  EXPECT_EQ(verdict_text(record(Correctness::noisy, Estimate{0.01, Interval{-25.81, 25.83}})), "noisy beyond measure");
   EXPECT_EQ(verdict_text(record(Correctness::unknown)), "unknown");
   EXPECT_EQ(verdict_text(record(Correctness::unknown, Estimate{0.02, {}})), "unknown +2.0 %");
 }

@@ -16,6 +16,7 @@
 #include "harness/cells/test_program.h"
 #include "scenes/base/process.h"
 #include "scenes/files/test_folder.h"
+#include "scenes/images/image.h"
 #include "scenes/images/image_file.h"
 
 namespace photonproof::inline harness_verbs_render {
