@@ -19,8 +19,8 @@ void set_correctness(kainjow::mustache::data& object, const CorrectnessRecord& r
 /// {has_glance, glances: {swatch, text}}: verdicts of each engine over all scenes.
 void set_glance(kainjow::mustache::data& page, const View& view);
 
-/// {has_races, races_sentence, times, errors}: which engine is faster to the same error, and more exact in the same time.
-/// The tables are {caption, at_head, at_title, has_rows, races, has_undecided, undecided}.
+/// {has_races, races_sentence, times, errors}: which engine is faster to the same error, and more exact in the same
+/// time. The tables are {caption, at_head, at_title, has_rows, races, has_undecided, undecided}.
 void set_races(kainjow::mustache::data& page, const View& view);
 
 /// {has_table, header, rows: {cells: {text, number}}}: cells from `numbers_from` on are right-aligned.
