@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 
 #include "reports/page/html_data.h"
 #include "reports/page/viewer_data.h"
@@ -100,7 +101,8 @@ data race_data(const View& view, const RaceTable::Row& row, const std::vector<st
 }
 
 struct RaceHead {
-  const char *caption, *at, *title;
+  std::string caption;
+  const char *at, *title;
 };
 
 data race_table_data(const View& view, const RaceTable& table, const RaceHead& head) {
@@ -122,12 +124,14 @@ data race_table_data(const View& view, const RaceTable& table, const RaceHead& h
 void set_races(data& page, const View& view) {
   page.set("has_races", !view.races.empty());
   page.set("races_sentence", printable(races_sentence(view)));
-  page.set("times",
-           race_table_data(view, race_table(view),
-                           {"Time to the same error. Ranges are 95 % intervals over seeds; “at least” is a bound.",
-                            "relMSE", "relative mean squared error"}));
-  page.set("errors",
-           race_table_data(view, error_table(view), {"Error (relMSE) in the same time.", "time", "time of one image"}));
+  std::string clock = clock_text(clock_of(view));
+  clock[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(clock[0])));
+  page.set("times", race_table_data(view, race_table(view),
+                                    {clock + " to the same error. Ratios to the fastest: 95 % intervals, or bounds.",
+                                     "relMSE", "relative mean squared error"}));
+  page.set("errors", race_table_data(view, error_table(view),
+                                     {"Error (relMSE) in the same time. Ratios to the least: 95 % intervals.", "time",
+                                      "time of one image"}));
 }
 
 void set_glance(data& page, const View& view) {

@@ -23,6 +23,7 @@ using kainjow::mustache::data;
 void set_header(data& page, const Results& results, const View& view) {
   page.set("suite", printable(heading(results)));
   page.set("totals", totals_text(results));
+  page.set("machine", printable(machine_text(results.host)));
   page.set("created", printable(time_text(results.created)));
   page.set("host", printable(host_text(results.host)));
   page.set("versions", printable(versions_text(results.versions)));
@@ -34,6 +35,7 @@ void set_header(data& page, const Results& results, const View& view) {
   for (const std::string& caveat : results.caveats) caveats.push_back(printable(caveat));
   page.set("caveats", caveats);
   page.set("verdicts_total", text_or_false(verdicts_text(view.gates)));
+  page.set("failing", text_or_false(printable(failing_text(view))));
   page.set("has_compared", !view.compared.empty());
   data engines(data::type::list);
   for (std::size_t i = 0; i < view.engines.size(); ++i) engines.push_back(engine_data(view, i));

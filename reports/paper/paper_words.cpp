@@ -41,16 +41,6 @@ std::string method_title(const View& view, const std::string& name) {
   return index < view.engines.size() ? method_titles(view)[index] : name;
 }
 
-std::string clock_text(Clock clock) {
-  return clock == Clock::wall ? "wall-clock seconds" : "processor seconds of all threads";
-}
-
-Clock clock_of(const View& view) {
-  for (const SceneView& scene : view.scenes)
-    if (!scene.curves.empty()) return scene.curves.front()->clock;
-  return Clock::wall;
-}
-
 const SceneView& scene_of(const View& view, const std::string& name) {
   if (const SceneView* scene = find_scene(view, name)) return *scene;
   std::string known;

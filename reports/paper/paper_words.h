@@ -18,12 +18,6 @@ std::vector<std::string> method_titles(const reports::View& view);
 /// The title of the engine with this name. The name, if the view has no such engine.
 std::string method_title(const reports::View& view, const std::string& name);
 
-/// "wall-clock seconds" or "processor seconds of all threads".
-std::string clock_text(Clock clock);
-
-/// The clock of a record's curves, which one suite sets for all of them; wall time without curves.
-Clock clock_of(const reports::View& view);
-
 /// Throws InputError listing the scenes of the record if it has no scene of this name.
 const reports::SceneView& scene_of(const reports::View& view, const std::string& name);
 

@@ -91,31 +91,38 @@ std::string race_text(const RaceRecord& race) {
   return text;
 }
 
+namespace {
+
+/// "2.0 to 11 times", or "2.0 to more than 11 times" where a lead is known from below only.
+std::string lead_text(const Wins& wins) {
+  if (!wins.open_end) return times_text({wins.least, Interval{wins.least, wins.most}});
+  const std::string least = ratio_text(wins.least), most = ratio_text(wins.most);
+  return least == most ? "at least " + least + " times" : least + " to more than " + most + " times";
+}
+
+}  // namespace
+
 std::string races_sentence(const View& view) {
   std::vector<Wins> all;
-  std::size_t open = 0;
+  std::size_t ties = 0, unjudged = 0;
   for (const RaceRecord* race : view.races) {
     if (has_winner(*race))
       add_win(*race, all);
     else
-      ++open;
+      ++(race->times.empty() ? unjudged : ties);
   }
   if (view.races.empty()) return {};
   std::ranges::stable_sort(all, std::greater{}, &Wins::scenes);
   std::string text;
-  for (const Wins& wins : all) {
-    const std::string lead =
-        wins.open_end && wins.least == wins.most
-            ? times_text({wins.least, {}}, true)
-            : times_text({wins.least, Interval{wins.least, wins.most}}) + (wins.open_end ? " or more" : "");
+  for (const Wins& wins : all)
     text += text.empty() ? fmt::format("{} is fastest to the same error on {} of {}, {} sooner than the next",
-                                       wins.engine, wins.scenes, scenes_text(view.races.size()), lead)
-                         : fmt::format("; {} on {}, {}", wins.engine, wins.scenes, lead);
-  }
+                                       wins.engine, wins.scenes, scenes_text(view.races.size()), lead_text(wins))
+                         : fmt::format("; {} on {}, {}", wins.engine, wins.scenes, lead_text(wins));
   if (text.empty())
     return "No engine is known to be faster on " +
            (view.races.size() == 1 ? "the one scene" : fmt::format("any of {} scenes", view.races.size()));
-  if (open > 0) text += fmt::format("; {} undecided", open);
+  if (ties > 0) text += fmt::format("; {} without a winner", ties);
+  if (unjudged > 0) text += fmt::format("; {} not judged", unjudged);
   return text;
 }
 

@@ -66,9 +66,19 @@ TEST(Races, are_summed_up_in_one_sentence) {
                    race_of("d", {first("path"), slower("pm", 4, Interval{4, 4})})};
   EXPECT_EQ(races_sentence(arrange(results)),
             "pm is fastest to the same error on 2 of 4 scenes, 2.0 to 11 times sooner than the next; path on 1, 4.0 "
-            "times; 1 undecided");
-  results.races.erase(results.races.begin(), results.races.begin() + 2);
-  results.races.pop_back();
+            "times; 1 without a winner");
+  results.races[1].times[1] = {
+      .engine = "path", .seconds = 7, .more_than = true, .ratio = Estimate{7, {}}, .at_least = true};
+  results.races.push_back(sample_races().back());
+  EXPECT_EQ(
+      races_sentence(arrange(results)),
+      "pm is fastest to the same error on 2 of 5 scenes, 2.0 to more than 7.0 times sooner than the next; path on 1, "
+      "4.0 times; 1 without a winner; 1 not judged");
+  results.races.erase(results.races.begin());
+  EXPECT_EQ(races_sentence(arrange(results)).substr(0, 75),
+            "pm is fastest to the same error on 1 of 4 scenes, at least 7.0 times sooner");
+  results.races.erase(results.races.begin());
+  results.races.resize(1);
   EXPECT_EQ(races_sentence(arrange(results)), "No engine is known to be faster on the one scene");
   results.races.clear();
   EXPECT_EQ(races_sentence(arrange(results)), "");

@@ -250,6 +250,16 @@ std::string picture_file(const std::map<std::string, std::string>& pictures, con
   return found == pictures.end() ? std::string() : found->second;
 }
 
+std::string clock_text(Clock clock) {
+  return clock == Clock::wall ? "wall-clock seconds" : "processor seconds of all threads";
+}
+
+Clock clock_of(const View& view) {
+  for (const SceneView& scene : view.scenes)
+    if (!scene.curves.empty()) return scene.curves.front()->clock;
+  return Clock::wall;
+}
+
 const SceneView* find_scene(const View& view, const std::string& name) {
   const auto found = std::ranges::find(view.scenes, name, [](const SceneView& scene) { return scene.record.name; });
   return found == view.scenes.end() ? nullptr : &*found;
@@ -317,6 +327,12 @@ std::string verdicts_text(const std::vector<const GateRecord*>& gates) {
   add(GateVerdict::fail, "fails", "fail");
   add(GateVerdict::inconclusive, "inconclusive", "inconclusive");
   return fmt::format("{} gate{}: {}", gates.size(), gates.size() == 1 ? "" : "s", text);
+}
+
+std::string failing_text(const View& view) {
+  if (view.gates.empty() || view.gates.front()->verdict != GateVerdict::fail) return {};
+  const GateRecord& worst = *view.gates.front();
+  return worst.scene + " by " + worst.engine + ": " + worst.sentence.substr(0, worst.sentence.find(';'));
 }
 
 std::size_t engine_index(const View& view, const std::string& name) {

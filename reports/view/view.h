@@ -87,6 +87,11 @@ std::string picture_file(const std::map<std::string, std::string>& pictures, con
 /// The scene of this name; null where the view has none.
 const SceneView* find_scene(const View& view, const std::string& name);
 
+/// "wall-clock seconds" or "processor seconds of all threads".
+std::string clock_text(Clock clock);
+/// The clock of a record's curves, which one suite sets for all of them; wall time without curves.
+Clock clock_of(const View& view);
+
 /// The value of a metric, if the cell has it.
 std::optional<double> metric(const Result& result, const std::string& name);
 
@@ -110,6 +115,10 @@ std::string totals_text(const Results& results);
 
 /// "10 gates: 8 pass, 1 fails, 1 inconclusive"; empty when there are none.
 std::string verdicts_text(const std::vector<const GateRecord*>& gates);
+
+/// The worst failing gate and the first clause of its sentence: "box by photon: light is missing: -42 % over 1698 px at
+/// (0, 28)". Empty where none fails.
+std::string failing_text(const View& view);
 
 /// Index into View::engines of the engine with this name, which must occur in the record.
 std::size_t engine_index(const View& view, const std::string& name);

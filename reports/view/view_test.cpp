@@ -158,5 +158,17 @@ TEST(View, scenes_and_engines_that_only_a_gate_names_are_kept) {
   EXPECT_TRUE(view.compared.empty());  // nothing was benchmarked
 }
 
+TEST(View, names_the_worst_failing_gate) {
+  Results results = sample_conclusions();
+  const GateRecord& worst = *arrange(results).gates.front();
+  ASSERT_EQ(worst.verdict, GateVerdict::fail);
+  for (GateRecord& gate : results.gates)
+    if (gate.name == worst.name) gate.sentence = "light is missing: -42 % over 9 px at (0, 28); 8 images of spp=64";
+  EXPECT_EQ(failing_text(arrange(results)),
+            worst.scene + " by " + worst.engine + ": light is missing: -42 % over 9 px at (0, 28)");
+  results.gates.clear();
+  EXPECT_EQ(failing_text(arrange(results)), "");
+}
+
 }  // namespace
 }  // namespace photonproof::reports::inline reports_view
