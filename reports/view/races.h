@@ -19,7 +19,7 @@ std::string race_text(const RaceRecord& race);
 bool has_winner(const RaceRecord& race);
 
 /// One sentence over all scenes: "photonmapper is fastest to the same error on 5 of 7 scenes, 2.1 to 31 times sooner
-/// than the next; 1 without a winner; 1 not judged". Empty without races.
+/// than the next; 1 not judged". Ties count as "1 without a winner". Empty without races.
 std::string races_sentence(const View& view);
 
 /// Results of races: a row for each race, a column for each engine.
