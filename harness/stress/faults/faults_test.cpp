@@ -29,7 +29,9 @@ class Faults : public FolderTest {
     put("program", "#!/bin/sh\nif [ \"$1\" = bench ]; then\n  out=$4\n  echo >>" + calls + "\n  if [ $(wc -l <" +
                        calls + ") -gt 2 ]; then\n" + script + "\n  fi\nfi\nexec " PHOTONPROOF_BINARY " \"$@\"\n");
     fs::permissions(folder_ / "program", fs::perms::owner_all);
-    return faults({"--only", only, "--kills", kills, "--program", (folder_ / "program").string()});
+    ProcessOutcome outcome = faults({"--only", only, "--kills", kills, "--program", (folder_ / "program").string()});
+    if (outcome.exit_code > 1) ADD_FAILURE() << outcome.sentence() << ": " << outcome.standard_error;
+    return outcome;
   }
   FaultsRecord record() const { return read_faults_record(folder_ / "out" / "faults.json"); }
   std::string broken() const {
