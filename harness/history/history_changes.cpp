@@ -43,6 +43,7 @@ std::size_t level_start(const HistorySeries& series, std::size_t base, std::size
 /// A difference with its noise.
 struct Judgement {
   double before = 0, after = 0;  ///< on the compared scale
+  bool relative = true;
   double standard_error = 0, quantile = 1.96;
   bool exceeds = true;  ///< every noise that is known
   bool is_known = false;
@@ -61,7 +62,7 @@ Judgement judge(const HistorySeries& series, const Place& place, double tail) {
   const ComparedPoints points = compared_points(series);
   const std::span<const double> level =
       std::span<const double>(points.values).subspan(place.level, place.base + 1 - place.level);
-  Judgement judged{points.values[place.base], points.values[place.head]};
+  Judgement judged{points.values[place.base], points.values[place.head], points.relative};
   const bool is_time =
       series.key.measure == reports::Measure::processor_seconds || series.key.measure == reports::Measure::wall_seconds;
   const bool repeats = level.size() > 1 && exact_changes(level).empty();
@@ -87,8 +88,8 @@ void add_gate(HistoryComparison& comparison, const HistorySeries& series, const 
 }
 
 void add_change(HistoryComparison& comparison, const HistorySeries& series, const Judgement& judged) {
-  const reports::HistoryStep step = step_between(judged.before, judged.after, judged.standard_error, judged.quantile,
-                                                 compared_points(series).relative);
+  const reports::HistoryStep step =
+      step_between(judged.before, judged.after, judged.standard_error, judged.quantile, judged.relative);
   comparison.changes.push_back(
       {series.key, is_worse(series.key, step) ? reports::ChangeSide::worse : reports::ChangeSide::better, step});
 }

@@ -1,10 +1,14 @@
 // Compares two commits of a history. A series changed if its value at the head lies outside what its noise explains.
 //
-// Noise is known from two sources, and a change has to exceed each that is known:
-// - the scatter s of n commits at the base's level: t = |head - mean| / (s sqrt(1 + 1/n)) by Student's t with n - 1
-//   degrees of freedom, a prediction interval (Hahn 1969, "Factors for calculating two-sided prediction intervals");
-// - standard errors over seeds of both values. They do not contain the differences of sessions, so times need the
-//   scatter.
+// Noise is known from two sources. A change has to exceed each that is known.
+//
+// The scatter s of n commits at the base's level: t = |head - mean| / (s sqrt(1 + 1/n)). Its quantile is Student's with
+// n - 1 degrees of freedom, as in a prediction interval (Hahn 1969, "Factors for calculating two-sided prediction
+// intervals").
+//
+// Standard errors over seeds of both values. They do not contain the differences of sessions, so times need the
+// scatter, too.
+//
 // The probability of any false change in the whole comparison is at most `false_changes`: it is divided by the number
 // of series (Bonferroni).
 #pragma once

@@ -12,9 +12,13 @@
 namespace photonproof::inline harness_verbs {
 namespace fs = std::filesystem;
 
+void check_extension(const std::string& output, const char* extension, const char* kind) {
+  if (fs::path(output).extension() != extension)
+    throw InputError("--output", "'" + output + "' is not the name of " + kind + ", expected NAME" + extension);
+}
+
 std::string checked_stats_path(const std::string& asked, const std::string& image, const std::string& scene) {
-  if (fs::path(image).extension() != ".exr")
-    throw InputError("--output", "'" + image + "' is not the name of an EXR, expected NAME.exr");
+  check_extension(image, ".exr", "an EXR");
   return stats_path_beside(asked, image, scene);
 }
 

@@ -1,10 +1,13 @@
-// The parts that verbs which render share: the place of the stats, and the exit codes of failures.
+// The parts that verbs with output files share: their names, the place of the stats, and the exit codes of failures.
 #pragma once
 
 #include <functional>
 #include <string>
 
 namespace photonproof::inline harness_verbs {
+
+/// Throws InputError at "--output" where the file's name does not end in `extension`. `kind` is "an EXR" or "a page".
+void check_extension(const std::string& output, const char* extension, const char* kind);
 
 /// The stats file that goes with `image`: `asked`, or beside it with the extension .stats.json. Called before the work
 /// begins. Throws InputError when either file could not be written, or would replace the scene or the other one. The

@@ -15,6 +15,7 @@
 #include "harness/history/history_pictures.h"
 #include "harness/history/history_steps.h"
 #include "harness/history/history_values.h"
+#include "harness/verbs/engine_output.h"
 #include "harness/verbs/record_folder.h"
 #include "harness/verbs/usage/verb_usage.h"
 #include "harness/verbs/verbs.h"
@@ -126,13 +127,8 @@ void print_series(const reports::History& history) {
       stdout);
 }
 
-void check_extension(const std::string& output, const char* extension, const char* what) {
-  if (fs::path(output).extension() != extension)
-    throw InputError("--output", "'" + output + "' is not the name of a " + what + ", expected NAME" + extension);
-}
-
 void run_show(const HistoryOptions& options) {
-  check_extension(options.page, ".html", "page");
+  check_extension(options.page, ".html", "a page");
   prepare_outputs({options.page}, {{options.file, "the history"}});
   HistoryFile file(options.file, SqliteDatabase::Access::read);
   const reports::History history = history_of(file, options.file);
@@ -142,7 +138,7 @@ void run_show(const HistoryOptions& options) {
 }
 
 int run_comment(const HistoryOptions& options) {
-  check_extension(options.comment, ".md", "comment");
+  check_extension(options.comment, ".md", "a comment");
   prepare_outputs({options.comment}, {{options.file, "the history"}});
   HistoryFile file(options.file, SqliteDatabase::Access::read);
   const reports::History history = history_of(file, options.file);

@@ -308,8 +308,7 @@ void check_reason(const Job& job) {
 
 int reference_of(const ReferenceArguments& arguments) {
   interrupt_flag();
-  if (!arguments.output.empty() && fs::path(arguments.output).extension() != ".exr")
-    throw InputError("--output", "'" + arguments.output + "' is not the name of an EXR, expected NAME.exr");
+  if (!arguments.output.empty()) check_extension(arguments.output, ".exr", "an EXR");
   if (!arguments.reason.empty() && !arguments.commit) throw InputError("--reason", "is for --commit");
   if (!arguments.scene.defines.empty() && arguments.commit)
     throw InputError("--commit", "is for the scene as it is, without -D; the cache keeps this reference, or -o FILE");

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "harness/metrics/metrics.h"
+#include "harness/verbs/engine_output.h"
 #include "harness/verbs/usage/name_hints.h"
 #include "harness/verbs/usage/verb_usage.h"
 #include "harness/verbs/verbs.h"
@@ -88,8 +89,7 @@ ViewerPage page_of(const ViewOptions& options) {
 bool has_screen() { return std::getenv("DISPLAY") != nullptr || std::getenv("WAYLAND_DISPLAY") != nullptr; }
 
 void run_view(const ViewOptions& options) {
-  if (fs::path(options.output).extension() != ".html")
-    throw InputError("--output", "'" + options.output + "' is not the name of a page, expected NAME.html");
+  check_extension(options.output, ".html", "a page");
   std::vector<InputFile> inputs;
   for (const std::string& file : options.images) inputs.push_back({file, "an image to view"});
   if (!options.reference.empty()) inputs.push_back({options.reference, "the reference"});

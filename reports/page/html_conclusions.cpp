@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 
 #include "reports/page/html_data.h"
 #include "reports/page/viewer_data.h"
@@ -124,8 +123,7 @@ data race_table_data(const View& view, const RaceTable& table, const RaceHead& h
 void set_races(data& page, const View& view) {
   page.set("has_races", !view.races.empty());
   page.set("races_sentence", printable(races_sentence(view)));
-  std::string clock = clock_text(clock_of(view));
-  clock[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(clock[0])));
+  const std::string clock = capitalised(clock_text(clock_of(view)));
   page.set("times", race_table_data(view, race_table(view),
                                     {clock + " to the same error. Ratios to the fastest: 95 % intervals, or bounds.",
                                      "relMSE", "relative mean squared error"}));

@@ -2,19 +2,11 @@
 
 #include <algorithm>
 
+#include "reports/view/text.h"
 #include "scenes/base/input_error.h"
 
 namespace photonproof::inline reports_paper {
 using namespace reports;
-
-namespace {
-
-std::string capitalised(std::string text) {
-  if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 'a' + 'A');
-  return text;
-}
-
-}  // namespace
 
 std::string scene_title(const std::string& name) {
   std::string title = name;

@@ -67,6 +67,13 @@ void add_win(const RaceRecord& race, std::vector<Wins>& all) {
   ++wins->scenes;
 }
 
+/// "2.0 to 11 times", or "2.0 to more than 11 times" where a lead is known from below only.
+std::string lead_text(const Wins& wins) {
+  if (!wins.open_end) return times_text({wins.least, Interval{wins.least, wins.most}});
+  const std::string least = ratio_text(wins.least), most = ratio_text(wins.most);
+  return least == most ? "at least " + least + " times" : least + " to more than " + most + " times";
+}
+
 }  // namespace
 
 std::string times_text(const Estimate& ratio, bool at_least) {
@@ -90,17 +97,6 @@ std::string race_text(const RaceRecord& race) {
       text += (!time.ratio ? "; " : &time == &race.times[1] ? " " : ", ") + clause(time);
   return text;
 }
-
-namespace {
-
-/// "2.0 to 11 times", or "2.0 to more than 11 times" where a lead is known from below only.
-std::string lead_text(const Wins& wins) {
-  if (!wins.open_end) return times_text({wins.least, Interval{wins.least, wins.most}});
-  const std::string least = ratio_text(wins.least), most = ratio_text(wins.most);
-  return least == most ? "at least " + least + " times" : least + " to more than " + most + " times";
-}
-
-}  // namespace
 
 std::string races_sentence(const View& view) {
   std::vector<Wins> all;

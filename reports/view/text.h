@@ -15,6 +15,9 @@ std::string printable(std::string_view text);
 /// read as markup inside a line or a table cell. Not safe as the first characters of a line.
 std::string markdown_text(std::string_view text);
 
+/// The text with a capital where it begins with one of a to z.
+std::string capitalised(std::string text);
+
 /// At most `most` bytes of valid UTF-8, cut between characters.
 std::string shortened(const std::string& text, std::size_t most);
 

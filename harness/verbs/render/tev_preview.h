@@ -7,8 +7,8 @@
 
 namespace photonproof::inline harness_verbs_render {
 
-/// A connection to a tev that runs. The packets are those of its interface for other programs, as tev 1.26 documents it
-/// in src/python/ipc.py (github.com/Tom94/tev): CreateImage, and UpdateImage in its third version.
+/// A connection to a tev that runs. The packets are those of its interface for other programs (github.com/Tom94/tev,
+/// include/tev/Ipc.h): CreateImage, and UpdateImage in its third version.
 class TevPreview {
  public:
   /// `where` is "tev", "tev:PORT" or "tev:HOST:PORT"; tev listens at 127.0.0.1:14158 by default. `name` is the image's

@@ -1,5 +1,5 @@
-// --preview against a viewer that this test plays. It reads packets by the layout of tev's own client,
-// src/python/ipc.py: each begins with its length, and an update names the offset and the stride of every channel.
+// --preview against a viewer that this test plays. It reads packets by the layout of tev's include/tev/Ipc.h:
+// each begins with its length, and an update names the offset and the stride of every channel.
 
 #include <gtest/gtest.h>
 #include <netinet/in.h>
