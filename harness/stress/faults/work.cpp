@@ -52,8 +52,7 @@ FinishedParts finished_cells(const fs::path& out) {
     const auto& result = json.contains("result") ? json["result"] : json;
     const std::string end = result.value("status", result.value("end", ""));
     std::string images;
-    for (const auto& file : fs::directory_iterator(cell->path()))
-      if (file.path().filename() == "image.exr") images = file_checksum(file.path());
+    if (const fs::path image = cell->path() / "image.exr"; fs::exists(image)) images = file_checksum(image);
     if (end == "ok") parts[cell->path().filename().string()] = images;
   }
   return parts;
