@@ -40,7 +40,7 @@ class CloudEntries {
   /// Whether the entry needs no more attention: it is kept, or is no new one. Else it lies behind those kept.
   bool take(const CloudEntry& entry) {
     // A ray along an edge enters both of the shell's triangles there.
-    if (entry <= behind_ || entry.is_of_same(behind_)) return true;
+    if (entry < behind_ || entry.is_of_same(behind_)) return true;
     const auto begin = entries_.begin(), end = begin + static_cast<std::ptrdiff_t>(count_);
     const auto same = std::find_if(begin, end, [&](const CloudEntry& other) { return entry.is_of_same(other); });
     if (same != end) {
