@@ -22,7 +22,7 @@ from source_tags import tell
 skipped = 77
 number = r"[-+−±]?(?:\d+(?:[.,]\d+)*|\.\d+)(?:e[-+]?\d+)?"
 end_of_command = "<end of a command>"
-sources = ("scenes/library", "scenes/showcase", "harness/ci", "harness/courses", "harness/suites")
+sources = ("scenes/library", "scenes/showcase", "harness/ci", "harness/courses", "harness/init", "harness/suites")
 needs = {"bwrap": ["bwrap", "--ro-bind", "/", "/", "true"], "povray": ["povray", "--version"],
          "pdflatex": ["pdflatex", "--version"]}
 

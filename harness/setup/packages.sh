@@ -10,6 +10,9 @@ check_packages="libgtest-dev libgmock-dev libvalijson-dev libboost-math-dev clan
   poppler-utils texlive-latex-recommended texlive-latex-extra texlive-publishers texlive-pictures
   texlive-fonts-recommended"
 
+# Additional packages for harness/packaging/deb.sh: shared libraries' packages, and manual pages.
+package_packages="dpkg-dev file help2man"
+
 # Packages of ./run --with-cycles: a second unbiased engine for comparisons; optional.
 cycles_packages="blender"
 

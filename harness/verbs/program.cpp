@@ -42,6 +42,10 @@ int with_output_written(int exit_code) {
 
 int run_program(CLI::App& program, int argc, char** argv, const int& exit_code) {
   open_standard_streams();
+  if (argc == 1) {  // what there is, but nothing was done
+    std::printf("%s", program.help().c_str());
+    return with_output_written(2);
+  }
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -42,3 +42,11 @@ void add_render_verb(CLI::App& program, int& exit_code);
 namespace photonproof::inline harness_verbs_stress {
 void add_stress_verb(CLI::App& program, int& exit_code);
 }  // namespace photonproof::inline harness_verbs_stress
+
+namespace photonproof::inline harness_verbs_start {
+void add_demo_verb(CLI::App& program, int& exit_code);
+void add_init_verb(CLI::App& program, int& exit_code);
+/// `scenes`, `engines`, `metrics` and `suites`.
+void add_list_verbs(CLI::App& program, int& exit_code);
+void add_completions_verb(CLI::App& program, int& exit_code);
+}  // namespace photonproof::inline harness_verbs_start

@@ -54,10 +54,13 @@ ModelScene scene_of_mesh(const fs::path& model) {
   return {text, model.parent_path(), {{model.string(), "no light: white light of radiance 1 comes from all around"}}};
 }
 
+/// Throws InputError if the reader is not installed.
 fs::path reader_program() {
   std::error_code ignored;
-  const fs::path beside = fs::read_symlink("/proc/self/exe", ignored).parent_path() / "photonproof-read-model";
-  return fs::exists(beside, ignored) ? beside : fs::path(PHOTONPROOF_PROGRAM_FOLDER) / "photonproof-read-model";
+  const fs::path folder = fs::read_symlink("/proc/self/exe", ignored).parent_path();
+  for (const fs::path& place : {folder, folder / "../libexec/photonproof", fs::path(PHOTONPROOF_PROGRAM_FOLDER)})
+    if (fs::exists(place / "photonproof-read-model", ignored)) return place / "photonproof-read-model";
+  throw InputError("photonproof-read-model", "models cannot be read without it (Debian: photonproof-formats)");
 }
 
 std::vector<std::string> columns_of(const std::string& line) {

@@ -17,15 +17,18 @@ Open* load() {
   std::error_code ignored;
   const fs::path program = fs::read_symlink("/proc/self/exe", ignored);
   std::string reason;
-  const fs::path beside = program.parent_path() / "../lib";
-  for (const fs::path& folder :
-       {beside, beside / "photonproof", fs::path(PHOTONPROOF_MODULE_FOLDER), fs::path(PHOTONPROOF_INSTALLED_MODULES)}) {
+  const fs::path prefix = program.parent_path() / "..";  // an installation can be moved
+  for (const fs::path& folder : {prefix / PHOTONPROOF_LIBRARY_FOLDER / "photonproof", prefix / "lib/photonproof",
+                                 prefix / "lib", fs::path(PHOTONPROOF_MODULE_FOLDER),
+                                 // For programs that link the library: where it was installed, and Debian's package.
+                                 fs::path(PHOTONPROOF_INSTALLED_MODULES), fs::path("/usr/lib/photonproof")}) {
     // Never closed: libraries below it have threads of their own.
     void* const module = dlopen((folder / name).c_str(), RTLD_NOW | RTLD_LOCAL);
     if (void* open = module ? dlsym(module, "photonproof_open_image") : nullptr) return reinterpret_cast<Open*>(open);
     reason = dlerror();
   }
-  throw InputError(name, "images other than EXR and PNG cannot be read without it: " + reason);
+  throw InputError(
+      name, "images other than EXR, PNG and PFM cannot be read without it (Debian: photonproof-formats): " + reason);
 }
 
 }  // namespace

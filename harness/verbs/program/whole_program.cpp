@@ -15,6 +15,9 @@ void make_whole_program(CLI::App& program, int& exit_code) {
   program.name("photonproof");
   program.set_version_flag("--version", version_line(), "print the version");
   program.require_subcommand(1);
+  add_demo_verb(program, exit_code);
+  add_init_verb(program, exit_code);
+  add_list_verbs(program, exit_code);
   add_render_verb(program, exit_code);
   add_generate_verb(program, exit_code);
   add_convert_verb(program, exit_code);
@@ -31,6 +34,7 @@ void make_whole_program(CLI::App& program, int& exit_code) {
   add_verify_verb(program, exit_code);
   add_grade_verb(program, exit_code);
   add_stress_verb(program, exit_code);
+  add_completions_verb(program, exit_code);
   add_decode_image_verb(program, exit_code);
   add_denoiser_verb(program, exit_code);
   finish_program_usage(program,

@@ -42,7 +42,8 @@ CLI::App* add_verb(CLI::App& program, const VerbUsage& usage) {
   CLI::App* verb = program.add_subcommand(usage.name, description_of(usage.purpose, usage.examples));
   verb->group(usage.group);
   const std::string notes = usage.notes.empty() ? "" : usage.notes + "\n\n";
-  verb->footer(notes + exit_code_table(usage.exit_codes) + "\n\nMore: docs/verbs/" + usage.name + ".md");
+  const std::string& page = usage.page.empty() ? usage.name : usage.page;
+  verb->footer(notes + exit_code_table(usage.exit_codes) + "\n\nMore: docs/verbs/" + page + ".md");
   return verb;
 }
 

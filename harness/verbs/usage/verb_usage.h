@@ -21,6 +21,7 @@ extern const ExitCode done, bad_input, internal_error, interrupted_and_kept;
 extern const ExitCode not_representable, engine_failed, nothing_written;
 
 /// Groups of verbs in the program's --help, in this order.
+constexpr const char* start_group = "Start";
 constexpr const char* render_group = "Render";
 constexpr const char* measure_group = "Measure";
 constexpr const char* judge_group = "Judge";
@@ -38,6 +39,7 @@ struct VerbUsage {
   std::vector<std::string> examples;  ///< whole command lines
   std::vector<ExitCode> exit_codes;
   std::string notes{};  ///< lines before the exit codes; empty: none
+  std::string page{};   ///< its page in docs/verbs, without ".md"; empty: the verb's name
 };
 
 /// Adds a subcommand of this name, group and help. Its scenes or other subcommands inherit the exit codes.
