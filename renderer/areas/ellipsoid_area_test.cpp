@@ -83,5 +83,25 @@ TEST(ellipsoid_area, counts_neighbours_in_the_radius) {
   EXPECT_EQ(both.within({0, 9, 0}, {0, 1, 0}, 0.5f), 0);
 }
 
+// A small stretched ellipsoid near the gather's point counts where its normals agree. The area sums 256 points, of
+// which some hundred lie there: three more or less at the edge are 3 %.
+TEST(ellipsoid_area, counts_a_small_neighbour_by_its_own_points) {
+  const Vec3d axes{0.02, 0.01, 0.006};
+  const auto inverse = [](double axis) { return static_cast<float>(1 / axis); };
+  const Ellipsoids one =
+      with({{{0.1f, 0.05f, -0.01f},
+             {Vec3f(inverse(axes.x), 0, 0), Vec3f(0, inverse(axes.y), 0), Vec3f(0, 0, inverse(axes.z))},
+             1}});
+  double counted = 0;
+  constexpr int points = 1'000'000;
+  for (int i = 0; i < points; ++i) {
+    test::Random random(9, static_cast<std::uint64_t>(i));
+    const Vec3d g = Vec3d(square_to_sphere(random.next2())) / axes;
+    if (g.z >= double{least_side_cosine} * length(g)) counted += length(g);
+  }
+  counted *= axes.x * axes.y * axes.z * 4 * std::numbers::pi / points;
+  EXPECT_NEAR(EllipsoidArea(one).within({0, 0, 0}, {0, 0, 1}, 0.5f), counted, 0.04 * counted);
+}
+
 }  // namespace
 }  // namespace photonproof::inline renderer_areas

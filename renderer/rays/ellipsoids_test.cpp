@@ -168,6 +168,19 @@ TEST(ellipsoids, have_the_normal_of_their_surface_also_in_instances_that_stretch
   EXPECT_GT(hits, 100);
 }
 
+TEST(ellipsoids, turn_their_normals_inward_where_normals_are_flipped) {
+  const EllipsoidsDescription d = description_of(random_cloud(3, 6));
+  const PlacedEllipsoids placed(d, {});
+  const Ellipsoids out = compiled_ellipsoids(d, placed, false), in = compiled_ellipsoids(d, placed, true);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Vec3d near = Vec3d(out.places[i].center) + Vec3d{0.1, 0.2, -0.1};
+    const ShapePoint a = point_on(out, i, near), b = point_on(in, i, near);
+    EXPECT_EQ(a.p, b.p);
+    EXPECT_EQ(a.normal, -b.normal);
+    EXPECT_GT(dot(a.normal, Vec3f(0.1f, 0.2f, -0.1f)), 0) << "away from the centre";
+  }
+}
+
 TEST(ellipsoids, and_shells_pass_rays_from_inside) {
   auto cloud = std::make_shared<EllipsoidCloud>();
   cloud->ellipsoids.push_back({{0, 0, 0}, {0.1f, 0.2f, 0.3f}});
