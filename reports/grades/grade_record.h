@@ -140,7 +140,12 @@ struct Grades {
   double max_points() const { return correctness_points + speed_points; }
 };
 
-/// Best first: points, then speed-up, then name. Pointers into `grades`.
+/// The flag that shows that images are not the program's own renders: a copy, a kept result, another scene's image
+/// where only hidden scenes are wrong, or parameters that change nothing. Null if no flag shows it. Such a submission
+/// has no place; its points stay.
+const GradeFlag* caught_at(const SubmissionGrade& submission);
+
+/// Best first: points, then speed-up, then name. Submissions that were caught come last. Pointers into `grades`.
 std::vector<const SubmissionGrade*> leaderboard(const Grades& grades);
 
 }  // namespace photonproof::inline reports_grades

@@ -78,9 +78,12 @@ std::string gradebook_csv(const Grades& grades) {
 
 std::string grades_table(const Grades& grades) {
   std::vector<std::array<std::string, 5>> rows{{"submission", "points", "scenes", "speed-up", "first of all"}};
-  for (const SubmissionGrade* grade : leaderboard(grades))
+  for (const SubmissionGrade* grade : leaderboard(grades)) {
+    const GradeFlag* const proof = caught_at(*grade);
     rows.push_back({printable(grade->name), points_text(grade->points()) + "/" + points_text(grades.max_points()),
-                    right_scenes_text(*grade), speedup_text(grade->speed), printable(grade->sentence)});
+                    right_scenes_text(*grade), speedup_text(grade->speed),
+                    printable(proof != nullptr ? "caught, no place: " + proof->sentence : grade->sentence)});
+  }
   std::array<std::size_t, 4> widths{};
   for (const auto& row : rows)
     for (std::size_t c = 0; c < widths.size(); ++c) widths[c] = std::max(widths[c], row[c].size());

@@ -25,6 +25,14 @@ TEST(Gradebook, the_table_is_the_leaderboard) {
             "broken                 0/100  0 of 0  not measured     \n");
 }
 
+TEST(Gradebook, the_table_names_the_proof_of_a_caught_submission_and_puts_it_last) {
+  Grades grades = test_grades();
+  grades.submissions[2].flags = {{"copy-of-given", "the image that was handed out", "one", ""}};
+  const std::string table = grades_table(grades);
+  EXPECT_NE(table.find("caught, no place: the image that was handed out\n"), std::string::npos);
+  EXPECT_GT(table.find("caught, no place"), table.find("broken"));
+}
+
 TEST(Gradebook, equal_points_are_ranked_by_speed_and_then_by_name) {
   Grades grades = test_grades();
   for (SubmissionGrade& submission : grades.submissions) {
@@ -35,6 +43,30 @@ TEST(Gradebook, equal_points_are_ranked_by_speed_and_then_by_name) {
   EXPECT_EQ(order[0]->folder, "submissions/quick");
   EXPECT_EQ(order[1]->name, "=partly");
   EXPECT_EQ(order[2]->name, "broken");
+}
+
+TEST(Gradebook, a_flag_that_shows_copying_costs_the_place_and_a_hint_does_not) {
+  Grades grades = test_grades();
+  SubmissionGrade& quick = grades.submissions[2];
+  for (const char* hint :
+       {"same-as-other", "seed-ignored", "right-on-public-only", "runs-differ", "fast-on-timed-only"}) {
+    quick.flags = {{hint, "hint", "one", ""}};
+    EXPECT_EQ(caught_at(quick), nullptr) << hint;
+    EXPECT_EQ(leaderboard(grades).front(), &quick) << hint;
+  }
+  for (const char* proof :
+       {"copy-of-given", "copy-of-reference", "keeps-results", "copies-found", "parameters-ignored"}) {
+    quick.flags = {{"seed-ignored", "hint", "one", ""}, {proof, "proof", "one", ""}};
+    ASSERT_NE(caught_at(quick), nullptr) << proof;
+    EXPECT_EQ(caught_at(quick)->sentence, "proof");
+    EXPECT_EQ(leaderboard(grades).back(), &quick) << proof;
+  }
+  // A program that renders one scene only is wrong on public scenes, too: a mistake. Right there, it is a stored image.
+  quick.flags = {{"same-image", "proof", "secret", "one"}};
+  EXPECT_EQ(caught_at(quick), nullptr);
+  quick.flags.push_back({"right-on-public-only", "hint", "secret", ""});
+  ASSERT_NE(caught_at(quick), nullptr);
+  EXPECT_EQ(caught_at(quick)->sentence, "proof");
 }
 
 }  // namespace

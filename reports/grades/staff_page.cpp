@@ -2,12 +2,14 @@
 
 #include <algorithm>
 
+#include "reports/grades/flag_words.h"
 #include "reports/grades/grade_data.h"
 #include "reports/grades/grade_pages.h"
 #include "reports/grades/grade_plots.h"
 #include "reports/grades/grade_templates.h"
 #include "reports/grades/grade_words.h"
 #include "reports/grades/likeness_groups.h"
+#include "reports/grades/staff_answers.h"
 #include "reports/page/html_data.h"
 #include "reports/page/page_parts.h"
 #include "reports/page/picture.h"
@@ -79,6 +81,50 @@ data text_list(const std::vector<std::string>& texts) {
   return list;
 }
 
+/// The reason for a row without a speed-up, in words.
+const char* untimed_text(SpeedGrade::State state) {
+  switch (state) {
+    case SpeedGrade::State::not_right:
+      return "wrong, so not timed";
+    case SpeedGrade::State::changed:
+      return "images changed while timed";
+    case SpeedGrade::State::none:
+    case SpeedGrade::State::measured:
+    case SpeedGrade::State::too_noisy:
+      break;
+  }
+  return "not timed";
+}
+
+/// A submission's kinds of flags, each once.
+data flag_list(const SubmissionGrade& submission) {
+  data list(data::type::list);
+  std::vector<std::string> kinds;
+  for (const GradeFlag& flag : submission.flags) {
+    if (std::ranges::find(kinds, flag.kind) != kinds.end()) continue;
+    data item;
+    item.set("comma", !kinds.empty());
+    item.set("kind", printable(flag_name(flag.kind)));
+    item.set("meaning", printable(flag_meaning(flag.kind)));
+    list.push_back(item);
+    kinds.push_back(flag.kind);
+  }
+  return list;
+}
+
+/// Place, and the sentence beside it. A submission that was caught has no place.
+void set_place(data& row, const SubmissionGrade& submission, std::size_t place) {
+  const GradeFlag* const proof = caught_at(submission);
+  const bool is_open = proof == nullptr && !submission.flags.empty();
+  row.set("place", std::to_string(place + 1));
+  row.set("caught", proof != nullptr);
+  row.set("open", is_open);
+  row.set("told", printable(submission.sentence));
+  row.set("why", proof != nullptr ? printable(proof->sentence)
+                 : is_open        ? printable(submission.flags.front().sentence)
+                                  : printable(submission.sentence));
+}
+
 void set_row_numbers(data& row, const SubmissionGrade& submission) {
   std::size_t graded = 0, right = 0;
   for (const SceneGrade& scene : submission.scenes) {
@@ -90,23 +136,26 @@ void set_row_numbers(data& row, const SubmissionGrade& submission) {
   row.set("points", points_text(submission.points()));
   row.set("correctness", points_text(submission.correctness_points));
   row.set("speed_points", points_text(submission.speed.points));
-  row.set("speedup", has_speed ? speed_text(submission.speed.speedup) : "–");
+  row.set("speedup", has_speed ? data(speed_text(submission.speed.speedup)) : data(false));
+  row.set("untimed", untimed_text(submission.speed.state));
+  row.set("untimed_why", printable(submission.speed.sentence));
   row.set("speed_sort", has_speed ? fmt::format("{}", submission.speed.speedup.value) : "");
   row.set("noisy", submission.speed.state == SpeedGrade::State::too_noisy);
   row.set("right", std::to_string(right));
   row.set("graded", std::to_string(graded));
   row.set("flag_count", std::to_string(submission.flags.size()));
+  row.set("row_flags", flag_list(submission));
 }
 
 /// All values for one submission: its rows of the leaderboard and of the matrix, and its own section.
 data submission_row(const Grades& grades, const SubmissionGrade& submission, std::size_t place, const fs::path& folder,
                     const LinkedPictures& pictures) {
   data row, cells(data::type::list), scenes(data::type::list), flags(data::type::list);
-  row.set("place", std::to_string(place + 1));
+  set_place(row, submission, place);
   row.set("id", submission_id(place));
   row.set("name", printable(submission.name));
   row.set("source", printable(submission.source));
-  row.set("told", printable(submission.sentence));
+  row.set("wrong_on", text_or_false(wrong_scenes_text(grades, submission)));
   row.set("max_points", points_text(grades.max_points()));
   set_row_numbers(row, submission);
   for (std::size_t i = 0; i < grades.scenes.size(); ++i) {
@@ -117,7 +166,8 @@ data submission_row(const Grades& grades, const SubmissionGrade& submission, std
     const PictureSource source = [&](const std::string& relative) { return pictures(scene, relative); };
     scenes.push_back(scene_block(scene, *grade, source, block_id(place, i), staff_title(scene)));
   }
-  for (const GradeFlag& flag : submission.flags) flags.push_back(printable(flag.kind + ": " + flag.sentence));
+  for (const GradeFlag& flag : submission.flags)
+    flags.push_back(printable(flag_name(flag.kind) + ": " + flag.sentence));
   row.set("cells", cells);
   row.set("scenes", scenes);
   row.set("submission_flags", flags);
@@ -144,7 +194,8 @@ void set_likeness(data& page, const Grades& grades, const std::vector<const Subm
       data item;
       item.set("id", submission_id(place));
       item.set("name", printable(order[place]->name));
-      item.set("kind", printable(flag.kind));
+      item.set("kind", printable(flag_name(flag.kind)));
+      item.set("meaning", printable(flag_meaning(flag.kind)));
       item.set("told", printable(flag.sentence));
       flags.push_back(item);
       has_flags = true;
@@ -168,11 +219,15 @@ void set_head(data& page, const Grades& grades) {
   if (grades.interrupted) caveats.insert(caveats.begin(), "The run was interrupted: grades are not complete.");
   if (!grades.contained) caveats.insert(caveats.begin(), "Submissions ran without a sandbox.");
   page.set("caveats", text_list(caveats));
-  const auto hidden = std::ranges::count_if(grades.scenes, &GradedScene::hidden);
-  page.set("summary",
-           fmt::format("{} submissions, {} scenes, {} of them hidden; {} points for correctness, {} for speed.",
-                       grades.submissions.size(), grades.scenes.size(), hidden, points_text(grades.correctness_points),
-                       points_text(grades.speed_points)));
+  data answers(data::type::list);
+  for (const StaffAnswer& answer : staff_answers(grades)) {
+    data item;
+    item.set("question", answer.question);
+    item.set("is_bad", answer.is_bad);
+    item.set("parts", text_list(answer.parts));
+    answers.push_back(item);
+  }
+  page.set("answers", answers);
   page.set("max_correctness", points_text(grades.correctness_points));
   page.set("max_speed", points_text(grades.speed_points));
   page.set("rule", text_or_false(grades.speed_rule));

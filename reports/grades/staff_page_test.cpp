@@ -42,6 +42,30 @@ TEST_F(StaffPage, the_best_come_first) {
   EXPECT_LT(page.find(">honest</a>"), page.find(">upside</a>"));
 }
 
+TEST_F(StaffPage, a_caught_submission_has_no_place_and_stands_last_with_the_reason) {
+  const std::string page = html();
+  const std::size_t board = page.find("id=\"leaderboard\""), end = page.find("id=\"matrix\"");
+  const std::string rows = page.substr(board, end - board);
+  EXPECT_EQ(count(rows, "<tr class=\"caught\">"), 3u);
+  EXPECT_EQ(count(rows, "<b class=\"bad\">caught</b>"), 3u);
+  // Submissions without an image have fewer points than "hard-coded", which has 24.
+  EXPECT_LT(rows.find(">upside</a>"), rows.find(">hard-coded</a>"));
+  EXPECT_EQ(count(rows, "<td class=\"first\">hidden scene hidden-mirror: same image as scene 1&apos;s</td>") +
+                count(rows, "<td class=\"first\">hidden scene hidden-mirror: same image as scene 1&#39;s</td>") +
+                count(rows, "<td class=\"first\">hidden scene hidden-mirror: same image as scene 1's</td>"),
+            2u);
+}
+
+TEST_F(StaffPage, no_cell_is_a_dash_or_a_kind_that_only_the_record_uses) {
+  const std::string page = html();
+  const std::string rows = page.substr(page.find("id=\"leaderboard\""));
+  EXPECT_EQ(count(rows, ">–</td>"), 0u);
+  EXPECT_EQ(count(rows, "right-on-public-only"), 0u);
+  EXPECT_GE(count(rows, "title=\"Every public scene is right, and a hidden one is not.\">right on public only</abbr>"),
+            2u);
+  EXPECT_GE(count(rows, "wrong, so not timed"), 5u);
+}
+
 TEST_F(StaffPage, large_pictures_are_links_from_where_the_page_is) {
   EXPECT_GE(count(html(), "src=\"submissions/quick/secret-lamps.png\""), 1u);
   EXPECT_GE(count(html("pages/all/staff.html"), "src=\"../../submissions/quick/secret-lamps.png\""), 1u);
