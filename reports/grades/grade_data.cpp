@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <span>
 
 #include "reports/grades/grade_plots.h"
 #include "reports/grades/grade_templates.h"
@@ -54,13 +55,15 @@ data marks_data(const GradedScene& scene, const SceneGrade& grade) {
   return marks;
 }
 
+}  // namespace
+
 data shots_data(const GradedScene& scene, const SceneGrade& grade, const PictureSource& picture,
-                const std::string& title) {
+                const std::string& title, std::size_t most) {
   const Shot shots[] = {{"submitted", "submitted", picture_file(grade.pictures, "image")},
                         {"reference", "reference", scene.reference_picture},
                         {"flip", "FLIP: where they differ", picture_file(grade.pictures, "flip")}};
   data list(data::type::list);
-  for (const Shot& shot : shots) {
+  for (const Shot& shot : std::span(shots).first(std::min(most, std::size(shots)))) {
     if (shot.file.empty() && std::string_view(shot.role) == "flip") continue;
     const PagePicture found = picture(shot.file);
     data item;
@@ -78,6 +81,8 @@ data shots_data(const GradedScene& scene, const SceneGrade& grade, const Picture
   }
   return list;
 }
+
+namespace {
 
 data findings_data(const GradedScene& scene, const SceneGrade& grade) {
   data list(data::type::list);
@@ -164,7 +169,7 @@ data scene_block(const GradedScene& scene, const SceneGrade& grade, const Pictur
   block.set("findings", findings_data(scene, grade));
   const bool has_shots = !picture_file(grade.pictures, "image").empty();
   block.set("has_shots", has_shots);
-  block.set("shots", has_shots ? shots_data(scene, grade, picture, title) : data(data::type::list));
+  block.set("shots", has_shots ? shots_data(scene, grade, picture, title, 3) : data(data::type::list));
   block.set("has_checks", !grade.checks.empty());
   block.set("checks", checks_data(grade.checks));
   data sentences(data::type::list);

@@ -27,6 +27,11 @@ using PictureSource = std::function<PagePicture(const std::string& relative)>;
 kainjow::mustache::data scene_block(const GradedScene& scene, const SceneGrade& grade, const PictureSource& picture,
                                     const std::string& id, const std::string& title);
 
+/// The scene's first `most` pictures with marks: submitted, reference and FLIP map.
+/// Precondition: the page's reader may see all of the scene.
+kainjow::mustache::data shots_data(const GradedScene& scene, const SceneGrade& grade, const PictureSource& picture,
+                                   const std::string& title, std::size_t most);
+
 /// A list of {metric, value, bound, side}. It has no sentences and no parameters, so it is safe for hidden scenes.
 kainjow::mustache::data checks_data(const std::vector<GradedCheck>& checks);
 

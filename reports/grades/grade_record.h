@@ -140,9 +140,9 @@ struct Grades {
   double max_points() const { return correctness_points + speed_points; }
 };
 
-/// The flag that shows that images are not the program's own renders: a copy, a kept result, another scene's image
-/// where only hidden scenes are wrong, or parameters that change nothing. Null if no flag shows it. Such a submission
-/// has no place; its points stay.
+/// The flag that shows that images are not the program's own renders; null if none does. It tells of a copy, a kept
+/// result, parameters that change nothing, or another scene's image where only hidden scenes are wrong. Such a
+/// submission has no place; its points stay.
 const GradeFlag* caught_at(const SubmissionGrade& submission);
 
 /// Best first: points, then speed-up, then name. Submissions that were caught come last. Pointers into `grades`.

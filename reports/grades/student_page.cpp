@@ -26,8 +26,22 @@ constexpr int longest_embedded_side = 640;
 
 std::string student_id(std::size_t index) { return "scene-" + std::to_string(index + 1); }
 
+bool is_timed(const SubmissionGrade& submission) { return !submission.speed.scenes.empty(); }
+
+/// The reason why speed has no points yet, in words.
+std::string untimed_words(const SpeedGrade& speed) {
+  if (speed.state == SpeedGrade::State::changed) return "images changed while timed";
+  constexpr std::string_view lead = "not timed: ";
+  if (speed.sentence.starts_with(lead)) return speed.sentence.substr(lead.size());
+  if (!speed.sentence.empty()) return speed.sentence;
+  return speed.state == SpeedGrade::State::not_right ? "a scene that it needs is not right"
+                                                     : "this grading has no times";
+}
+
 data score_card(const std::string& name, double got, double most, bool is_total) {
   data card;
+  card.set("untimed", false);
+  card.set("remark", data(false));
   card.set("score_name", name);
   card.set("got", points_text(got));
   card.set("most", points_text(most));
@@ -40,7 +54,12 @@ data scores_data(const Grades& grades, const SubmissionGrade& submission) {
   data scores(data::type::list);
   scores.push_back(score_card("Points", submission.points(), grades.max_points(), true));
   scores.push_back(score_card("Correctness", submission.correctness_points, grades.correctness_points, false));
-  scores.push_back(score_card("Performance", submission.speed.points, grades.speed_points, false));
+  if (grades.speed_points <= 0) return scores;
+  data speed = score_card("Speed", submission.speed.points, grades.speed_points, false);
+  speed.set("untimed", !is_timed(submission));
+  speed.set("remark",
+            printable(is_timed(submission) ? speed_words(submission.speed.speedup) : untimed_words(submission.speed)));
+  scores.push_back(speed);
   return scores;
 }
 
@@ -98,11 +117,39 @@ data problems_data(const std::vector<Problem>& problems) {
     item.set("chip", chip_data(*problem.first));
     item.set("links", links);
     item.set("what", printable(problem.what));
-    item.set("place", problem.scenes.size() == 1 ? text_or_false(problem.place) : data(false));
+    item.set("place", problem.place.empty()        ? data(false)
+                      : problem.scenes.size() == 1 ? data(printable(problem.place))
+                                                   : data(printable(problem.scenes[0].second + ": " + problem.place)));
     item.set("causes", causes_data(problem.causes));
     list.push_back(item);
   }
   return list;
+}
+
+/// The step that gains the most: build, mend the first mistake, or reach the next tier.
+std::string next_words(const Grades& grades, const SubmissionGrade& submission, const std::vector<Problem>& problems) {
+  if (!submission.built) return "Make it build: the build’s output is below.";
+  if (!problems.empty()) {
+    std::string text = "Mend " + problems.front().scenes.front().second + ", as told below.";
+    if (grades.speed_points > 0 && submission.speed.state == SpeedGrade::State::not_right)
+      text += " Speed is timed once the images are right.";
+    return text;
+  }
+  const std::string tier = tier_words(grades, submission.speed);
+  if (!tier.empty()) return tier;
+  return submission.points() < grades.max_points() ? "The images are right; speed is not timed yet."
+                                                   : "Nothing: all points are reached.";
+}
+
+/// The first mistake of a scene that may be shown, as pictures with the place marked. Empty if there is none.
+data first_pictures(const Grades& grades, const std::vector<Problem>& problems, const PictureSource& picture) {
+  for (const Problem& problem : problems)
+    for (const GradedScene& scene : grades.scenes) {
+      if (scene.name != problem.first->scene || scene.hidden) continue;
+      if (picture_file(problem.first->pictures, "image").empty()) continue;
+      return shots_data(scene, *problem.first, picture, student_title(grades, scene), 2);
+    }
+  return data(data::type::list);
 }
 
 data hidden_block(const Grades& grades, const SubmissionGrade& submission, const GradedScene& scene,
@@ -127,6 +174,7 @@ data points_row(const std::string& title, double points, double most) {
   row.set("anchor", data(false));
   row.set("chip", data(false));
   row.set("state", data(false));
+  row.set("pending", false);
   row.set("points", points_text(points));
   row.set("max_points", points_text(most));
   return row;
@@ -157,16 +205,19 @@ void set_scenes(data& page, const Grades& grades, const SubmissionGrade& submiss
     else
       scenes.push_back(scene_block(scene, *grade, picture, id, title));
   }
-  data speed = points_row("Performance", submission.speed.points, grades.speed_points);
+  data speed = points_row("Speed", submission.speed.points, grades.speed_points);
   speed.set("anchor", "speed");
-  speed.set("state", to_string(submission.speed.state));
-  rows.push_back(speed);
+  speed.set("state", is_timed(submission) ? to_string(submission.speed.state) : "not timed");
+  speed.set("pending", !is_timed(submission));
+  if (grades.speed_points > 0) rows.push_back(speed);
   page.set("scenes", scenes);
   page.set("has_hidden", has_hidden);
   page.set("hidden_scenes", hidden);
   page.set("rows", rows);
   page.set("has_problems", !problems.empty());
   page.set("problems", problems_data(problems));
+  page.set("next", printable(next_words(grades, submission, problems)));
+  page.set("first_shots", first_pictures(grades, problems, picture));
 }
 
 std::string student_summary(const Grades& grades, const SubmissionGrade& submission) {

@@ -113,11 +113,12 @@ TEST_F(StudentPage, points_of_the_rows_add_up_to_the_total) {
   for (const SubmissionGrade& graded : grades.submissions) {
     const std::string page = html(graded.name);
     const std::string body = page.substr(page.find("<table class=\"points-table\">"));
-    const std::regex cells("<td class=\"number\">(?:<b>)?([0-9.]+)(?:</b>)?</td><td class=\"number\">([0-9.]+)</td>");
+    const std::regex cells(
+        "<td class=\"number\">(?:<b>)?([0-9.]+|none yet)(?:</b>)?</td><td class=\"number\">([0-9.]+)</td>");
     const std::string table = body.substr(0, body.find("</table>"));
     std::vector<std::pair<double, double>> rows;
     for (std::sregex_iterator it(table.begin(), table.end(), cells), end; it != end; ++it)
-      rows.emplace_back(std::stod((*it)[1]), std::stod((*it)[2]));
+      rows.emplace_back((*it)[1] == "none yet" ? 0 : std::stod((*it)[1]), std::stod((*it)[2]));
     ASSERT_EQ(rows.size(), 7u);  // five scenes, performance, total
     double points = 0, most = 0;
     for (std::size_t i = 0; i + 1 < rows.size(); ++i) {
@@ -128,6 +129,41 @@ TEST_F(StudentPage, points_of_the_rows_add_up_to_the_total) {
     EXPECT_DOUBLE_EQ(most, rows.back().second);
     EXPECT_DOUBLE_EQ(points, graded.points());
   }
+}
+
+std::string top_of(const std::string& page) { return page.substr(0, page.find("<main>")); }
+
+TEST_F(StudentPage, speed_is_either_not_timed_with_the_reason_or_has_points_with_the_ratio) {
+  const std::string untimed = html("no-caustic");
+  EXPECT_EQ(count(untimed, "<b>0</b> of 60"), 0u);
+  EXPECT_EQ(count(top_of(untimed), "<b class=\"words\">not timed</b> up to 60"), 1u);
+  EXPECT_EQ(count(top_of(untimed), "<span class=\"remark\">scene 1 is not right</span>"), 1u);
+  EXPECT_EQ(count(untimed, "<td>not timed</td><td class=\"number\">none yet</td>"), 1u);
+  const std::string timed = top_of(html("honest"));
+  EXPECT_EQ(count(timed, "<b>40</b> of 60"), 1u);
+  EXPECT_EQ(count(timed, "6.30 times as fast as the baseline (6.11 to 6.49)</span>"), 1u);
+  EXPECT_EQ(count(timed, "not timed"), 0u);
+}
+
+TEST_F(StudentPage, a_course_without_points_for_speed_has_no_speed_card) {
+  grades.speed_points = 0;
+  EXPECT_EQ(count(html("no-caustic"), "<span class=\"score-name\">"), 2u);
+}
+
+TEST_F(StudentPage, the_top_shows_the_first_mistake_with_its_place_and_the_next_step) {
+  const std::string wrong = top_of(html("no-caustic"));
+  EXPECT_EQ(count(wrong, "<figure class=\"shot submitted\">") + count(wrong, "<figure class=\"shot reference\">"), 2u);
+  EXPECT_EQ(count(wrong, "class=\"mark\""), 2u);
+  EXPECT_EQ(count(wrong, "scene 1: 9 × 9 pixels in the lower right (columns 12 to 20, rows 15 to 23)"), 1u);
+  EXPECT_EQ(count(wrong,
+                  "<b>Next</b> Mend scene 1, as told below. Speed is timed once the images "
+                  "are right.</p>"),
+            1u);
+  EXPECT_EQ(count(top_of(html("does-not-build")), "<b>Next</b> Make it build"), 1u);
+  EXPECT_EQ(count(top_of(html("quick")), "<b>Next</b> The tier of 20× is reached. There is none beyond."), 1u);
+  EXPECT_EQ(count(top_of(html("honest")), "The next, 20× for 60 points, needs"), 1u);
+  // A submission that is wrong on hidden scenes alone shows no picture on top.
+  EXPECT_EQ(count(top_of(html("hard-coded")), "<img"), 0u);
 }
 
 TEST_F(StudentPage, the_same_mistake_on_several_scenes_is_told_once_on_top) {
@@ -142,8 +178,9 @@ TEST_F(StudentPage, the_same_mistake_on_several_scenes_is_told_once_on_top) {
 TEST_F(StudentPage, marks_lie_where_the_findings_are) {
   // 24 pixels a side: the corner begins at column 12 and row 15, and is 9 wide and high.
   const std::string page = html("no-caustic");
-  EXPECT_EQ(count(page, "left:50.000%;top:62.500%;width:37.500%;height:37.500%"), 9u);  // 3 scenes of 3 pictures
-  EXPECT_EQ(count(html("upside"), "class=\"mark\""), 0u);                               // whole image: no mark
+  EXPECT_EQ(count(page, "left:50.000%;top:62.500%;width:37.500%;height:37.500%"),
+            11u);                                          // 3 scenes of 3 pictures, 2 on top
+  EXPECT_EQ(count(html("upside"), "class=\"mark\""), 0u);  // whole image: no mark
 }
 
 TEST_F(StudentPage, escapes_every_text_and_keeps_logs_in_lines) {
