@@ -440,6 +440,7 @@ TEST_F(BenchRun, version_that_hangs_or_fails_is_no_pass) {
   EXPECT_EQ(result_of("broken").status, Status::crash);
   EXPECT_EQ(result_of("absent").status, Status::not_started);
   EXPECT_EQ(result_of("optional").status, Status::unsupported);
+  EXPECT_EQ(result_of("optional").detail, "fake is not installed");
   EXPECT_EQ(summary.by_status.at(Status::timeout), 1u);
 }
 

@@ -13,6 +13,13 @@ std::string first_line(const std::string& text) {
   return first == std::string::npos ? std::string{} : text.substr(first, text.find_first_of("\r\n", first) - first);
 }
 
+/// "Cycles is not installed", and the reason that the command gives.
+std::string absence_words(const Engine& engine, const ProcessOutcome& outcome) {
+  const std::string name = engine.title.empty() ? engine.name : engine.title;
+  const std::string reason = printable(first_line(outcome.standard_error));
+  return name + " is not installed" + (reason.empty() ? "" : ": " + reason);
+}
+
 }  // namespace
 
 EngineVersion ask_version(const Engine& engine, const std::filesystem::path& suite_folder,
@@ -34,6 +41,7 @@ EngineVersion ask_version(const Engine& engine, const std::filesystem::path& sui
                              : outcome.end == End::not_started ? Status::not_started
                              : outcome.end == End::timed_out   ? Status::timeout
                                                                : Status::crash;
+      if (refuses) version.problem = absence_words(engine, outcome);
       if (outcome.end == End::not_started) *version.problem += start_hint(command, suite_folder);
       return version;
     }

@@ -136,7 +136,7 @@ class SceneJudge {
     PairTest result = test(sides_[i], sides_[j], 0);
     // A difference must repeat with new samples, or it may be chance. An outlier is proof enough by itself.
     if (result.differs && !result.has_outlier) result = test(sides_[i], sides_[j], 1);
-    const double asked = 1.5 * renderer_.options().power + declared_by(sides_[i]) + declared_by(sides_[j]);
+    const double asked = accepted_power * renderer_.options().power + declared_by(sides_[i]) + declared_by(sides_[j]);
     // An engine with a larger declared error is not used as an independent reference.
     constexpr double most_declared = 0.25;
     const bool says_little = std::max(declared_by(sides_[i]), declared_by(sides_[j])) > most_declared;

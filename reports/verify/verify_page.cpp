@@ -158,6 +158,31 @@ data probe_data(const VerifyProbe& probe) {
   return out;
 }
 
+/// The worst scenes' sentences, at most three: "furnace: mine is wrong: -17 % over the whole image".
+data answers_of(const std::vector<const VerifyScene*>& sorted) {
+  constexpr std::size_t most = 3;
+  std::vector<std::string> answers;
+  for (const VerifyScene* scene : sorted)
+    if (scene->verdict != "agree") answers.push_back(scene->name + ": " + scene->sentence);
+  if (answers.empty() && sorted.size() == 1) answers = {sorted.front()->name + ": " + sorted.front()->sentence};
+  if (answers.empty() && !sorted.empty()) answers = {fmt::format("Yes: all {} scenes agree.", sorted.size())};
+  if (answers.size() > most) {
+    const std::size_t more = answers.size() - (most - 1);
+    answers.resize(most - 1);
+    answers.push_back(fmt::format("and {} more scenes", more));
+  }
+  return list_of(answers);
+}
+
+/// The least error that every agreeing pair would show, beside the one asked for: both limits in one sentence.
+std::string detects_words(const VerifyRecord& record) {
+  const std::string asked = fmt::format("asked for {}; a pair may reach {} and the errors that its engines declare",
+                                        error_words(record.power), error_words(accepted_power * record.power));
+  const std::optional<double> worst = largest_detectable(record);
+  return worst ? fmt::format("an error of {} of the mean in any pair that agrees ({})", error_words(worst), asked)
+               : "no pair agrees (" + asked + ")";
+}
+
 /// The overview of all scenes, if there are several.
 void set_overview(data& page, const VerifyOverview& overview) {
   data rows(data::type::list);
@@ -199,11 +224,13 @@ void write_verify_page(const VerifyRecord& record, const fs::path& folder, const
   for (const VerifyScene& scene : record.scenes) sorted.push_back(&scene);
   std::ranges::stable_sort(sorted, {}, [](const VerifyScene* scene) { return rank_of(*scene); });
   for (const VerifyScene* scene : sorted) scenes.push_back(scene_data(*scene, folder));
+  std::string absent;
   for (const VerifyEngineRecord& engine : record.engines) {
     data row;
-    row.set("name", printable(engine.name));
+    row.set("name", printable(engine.title.empty() ? engine.name : engine.title));
     row.set("version", printable(engine.problem.empty() ? engine.version : engine.problem));
     engines.push_back(row);
+    if (!engine.problem.empty()) absent += (absent.empty() ? "" : "; ") + engine.problem;
   }
   for (const VerifyProbe& probe : record.probes) probes.push_back(probe_data(probe));
   const VerifyOverview overview = verify_overview(record);
@@ -215,7 +242,9 @@ void write_verify_page(const VerifyRecord& record, const fs::path& folder, const
   page.set("host", printable(record.host));
   page.set("program", printable(record.program));
   page.set("command", printable(record.command));
-  page.set("power", fmt::format("{:.2g} %", 100 * record.power));
+  page.set("answers", answers_of(sorted));
+  page.set("detects", detects_words(record));
+  page.set("absent", absent.empty() ? data(false) : data(printable(absent)));
   page.set("engines", engines);
   page.set("has_probes", !record.probes.empty());
   page.set("probes", probes);

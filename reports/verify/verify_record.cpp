@@ -30,6 +30,14 @@ const VerifyPair* pair_between(const VerifyScene& scene, const std::string& a, c
   return nullptr;
 }
 
+std::optional<double> largest_detectable(const VerifyRecord& record) {
+  std::optional<double> worst;
+  for (const VerifyScene& scene : record.scenes)
+    for (const VerifyPair& pair : scene.pairs)
+      if (pair.verdict == "agree" && pair.would_see) worst = std::max(worst.value_or(0), *pair.would_see);
+  return worst;
+}
+
 std::string error_words(const std::optional<double>& error) {
   if (!error) return "–";
   return std::isfinite(*error) ? percent_text(*error) : "all";

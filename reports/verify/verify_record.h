@@ -31,6 +31,9 @@ struct VerifyPicture {
   std::string picture;  ///< PNG, relative to the record
 };
 
+/// A pair agrees if its minimum detectable error is at most this many times the one asked for, and declared errors.
+inline constexpr double accepted_power = 1.5;
+
 /// Names of sides in pairs that are no engines.
 inline constexpr const char *closed_form_side = "closed form", *stored_reference_side = "stored reference";
 
@@ -89,6 +92,9 @@ struct VerifyRecord {
   std::vector<VerifyProbe> probes{};
   std::vector<VerifyScene> scenes{};
 };
+
+/// The largest minimum detectable error among pairs that agree; empty if none does.
+std::optional<double> largest_detectable(const VerifyRecord& record);
 
 /// "1.2 %"; "all" if noise hides everything, a dash if nothing is defined.
 std::string error_words(const std::optional<double>& error);

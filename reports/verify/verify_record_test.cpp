@@ -110,7 +110,7 @@ TEST(VerifyPage, holds_engines_pairs_and_the_pass_and_no_markup_of_others) {
   record.scenes[0].notes = {"<script>alert(1)</script>"};
   write_verify_page(record, folder.path(), folder.path() / "verify.html");
   const std::string page = read_file(folder.path() / "verify.html");
-  for (const char* held : {"cornell", "First wrong in <b>direct</b>", "✗ -2 %", "sees 1.2 %", "data:image/png",
+  for (const char* held : {"cornell", "First wrong in <b>direct</b>", "✗ -2 %", "detects 1.2 %", "data:image/png",
                            "spot light: POV-Ray 1x closed form"})
     EXPECT_NE(page.find(held), std::string::npos) << held;
   EXPECT_EQ(page.find("<script>alert"), std::string::npos);
@@ -120,6 +120,39 @@ TEST(VerifyPage, holds_engines_pairs_and_the_pass_and_no_markup_of_others) {
   ASSERT_LT(of_path, of_povray);
   EXPECT_NE(page.substr(of_path, of_povray - of_path).find("✗ -2 %"), std::string::npos);
   EXPECT_NE(page.substr(of_povray).find("✗ +2 %"), std::string::npos);
+}
+
+std::string page_of(const VerifyRecord& record) {
+  const ScratchFolder folder("verify-page");
+  write_verify_page(record, folder.path(), folder.path() / "verify.html");
+  return read_file(folder.path() / "verify.html");
+}
+
+TEST(VerifyPage, begins_with_the_wrong_engine_and_names_engines_that_are_absent) {
+  VerifyRecord record = record_with("differ");
+  record.engines.push_back({"cycles", "Cycles", "", "Cycles is not installed"});
+  const std::string page = page_of(record), head = page.substr(0, page.find("<main>"));
+  EXPECT_NE(head.find("<p class=\"lede bad\">cornell: povray is wrong: +2 % over the whole image</p>"),
+            std::string::npos);
+  EXPECT_NE(head.find("<dt>Not run</dt><dd>Cycles is not installed</dd>"), std::string::npos);
+  record.scenes.assign(5, scene_with("differ"));
+  EXPECT_NE(page_of(record).find("<p class=\"lede bad\">and 3 more scenes</p>"), std::string::npos);
+  record.scenes.assign(2, scene_with("agree"));
+  EXPECT_NE(page_of(record).find("<p class=\"lede\">Yes: all 2 scenes agree.</p>"), std::string::npos);
+}
+
+// The error asked for is not the one reached: a pair agrees up to 1.5 times it and declared errors.
+TEST(VerifyPage, tells_the_error_asked_for_and_the_one_reached_in_one_sentence) {
+  VerifyRecord record = record_with("agree");
+  record.power = 0.05;
+  record.scenes[0].pairs[0].verdict = "agree";
+  record.scenes[0].pairs[0].would_see = 0.059;
+  EXPECT_NE(
+      page_of(record).find("an error of 5.9 % of the mean in any pair that agrees (asked for 5 %; a pair may reach "
+                           "7.5 % and the errors that its engines declare)"),
+      std::string::npos);
+  record.scenes[0].pairs[0].verdict = "undecided";
+  EXPECT_NE(page_of(record).find("no pair agrees (asked for 5 %;"), std::string::npos);
 }
 
 TEST(VerifyTable, says_each_pair_and_what_it_would_have_seen) {
