@@ -21,6 +21,7 @@ SceneRecord describe_scene(const SuiteScene& scene, const std::optional<Expect>&
   SceneRecord record;
   record.name = scene.name;
   record.path = scene.given_path;
+  record.title = expect ? expect->title : "";
   record.purpose = expect ? expect->purpose : "";
   record.width = crop ? crop->width : scene.width;
   record.height = crop ? crop->height : scene.height;

@@ -99,6 +99,7 @@ class Run {
     record.name = scene.name;
     record.path = scene.given_path;
     const std::optional<Expect>& expected = expectations_[scene.name] = expectations_of(scene);
+    record.title = expected ? expected->title : "";
     record.purpose = expected ? expected->purpose : "";
     record.width = reference.width;
     record.height = reference.height;

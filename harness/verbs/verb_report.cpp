@@ -10,10 +10,13 @@
 #include <string>
 #include <vector>
 
+#include "harness/cells/run_follower.h"
+#include "harness/verbs/interrupt.h"
 #include "harness/verbs/record_folder.h"
 #include "harness/verbs/usage/verb_usage.h"
 #include "harness/verbs/verbs.h"
 #include "reports/formats/formats.h"
+#include "reports/page/html_report.h"
 #include "reports/record/results.h"
 #include "scenes/base/input_error.h"
 #include "scenes/base/json_text.h"
@@ -33,7 +36,7 @@ struct ReportOptions {
   std::vector<int> insets;  ///< four numbers for each
   PaperOptions paper;
   std::vector<std::string> given;  ///< options of formats for papers
-  bool json = false;
+  bool json = false, watch = false;
 };
 
 /// The record, and the images and pictures that it names.
@@ -80,7 +83,26 @@ void check_options(const ReportOptions& options, const std::vector<const ReportF
   }
 }
 
-void write_reports(const ReportOptions& options) {
+/// Writes the page again whenever the run has new results. Throws InputError if the page is none that can follow a run.
+/// Returns the program's exit code, without the page of the ended run.
+int follow(const ReportOptions& options, const std::vector<const ReportFormat*>& formats) {
+  if (formats.size() != 1 || formats.front()->name != "html")
+    throw InputError("--watch", "follows a run with a page: it needs --format html alone");
+  const fs::path folder = folder_of(options.results);
+  const fs::path out = options.output.empty() ? folder / "report.html" : fs::path(options.output);
+  bool said = false;
+  const FollowEnd end = follow_run({options.results, 1, &interrupt_flag()}, [&] {
+    const Results results = read_results(options.results);
+    prepare_outputs({out}, inputs_of(options.results, results, folder));
+    write_live_html_report(results, folder, out);
+    if (!said) std::fprintf(stderr, "%s follows the run; Ctrl-C ends this\n", out.c_str());
+    said = true;
+  });
+  return end == FollowEnd::interrupted ? 130 : 0;
+}
+
+/// Returns the program's exit code.
+int write_reports(const ReportOptions& options) {
   std::vector<const ReportFormat*> formats;
   for (const std::string& name : options.formats) formats.push_back(&report_format(name));
   if (formats.empty()) formats.push_back(&report_formats().front());
@@ -91,6 +113,8 @@ void write_reports(const ReportOptions& options) {
   if (options.output.empty() && (is_device || options.results.starts_with("/proc/")))
     throw InputError(options.results, "cannot have a report beside it: name the report with -o");
   check_options(options, formats);
+  const int code = options.watch ? follow(options, formats) : 0;
+  if (code != 0 && !fs::exists(options.results)) return code;  // interrupted before the first result
   Results results = read_results(options.results);
   const fs::path folder = folder_of(options.results);
   note_replaced_images(results, folder);
@@ -111,6 +135,7 @@ void write_reports(const ReportOptions& options) {
     }
   }
   if (options.json) std::printf("%s\n", json_text(nlohmann::json{{"written", written}}).c_str());
+  return code;
 }
 
 void add_paper_options(CLI::App& verb, ReportOptions& options) {
@@ -139,8 +164,9 @@ void add_report_verb(CLI::App& program, int& exit_code) {
                          .group = measure_group,
                          .purpose = "Write reports from the record of a run of bench or gate",
                          .examples = {"photonproof report out/first-light/results.json --format html,markdown",
-                                      "photonproof report out/first-light/results.json --format latex -o table.tex"},
-                         .exit_codes = {done, bad_input, internal_error}});
+                                      "photonproof report out/first-light/results.json --format latex -o table.tex",
+                                      "photonproof report out/first-light/results.json --watch"},
+                         .exit_codes = {done, bad_input, internal_error, {130, "interrupted while following a run"}}});
   begin_option_group(*verb, output_group);
   const auto options = std::make_shared<ReportOptions>();
   std::string known;
@@ -151,6 +177,7 @@ void add_report_verb(CLI::App& program, int& exit_code) {
   verb->add_option("-o,--output", options->output,
                    "file to write, with one format (default: report.html, report.md ... beside the record)");
   add_paper_options(*verb, *options);
+  verb->add_flag("--watch", options->watch, "follow a run that goes on: the page is made anew with every result");
   verb->add_flag("--json", options->json, "print what was written as JSON");
   verb->callback([verb, options, &exit_code] {
     for (const char* name : {"--methods", "--table", "--scene", "--inset"})
@@ -159,8 +186,7 @@ void add_report_verb(CLI::App& program, int& exit_code) {
     for (std::size_t i = 0; i + 3 < options->insets.size(); i += 4)
       options->paper.insets.push_back(
           {options->insets[i], options->insets[i + 1], options->insets[i + 2], options->insets[i + 3]});
-    write_reports(*options);
-    exit_code = 0;
+    exit_code = write_reports(*options);
   });
 }
 

@@ -2,9 +2,13 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <chrono>
 #include <filesystem>
+#include <memory>
 #include <nlohmann/json.hpp>
+#include <thread>
 
+#include "harness/cells/folder_lock.h"
 #include "harness/verbs/verbs.h"
 #include "reports/record/results.h"
 #include "scenes/base/input_error.h"
@@ -165,6 +169,47 @@ TEST_F(ReportVerb, never_replaces_the_record_it_reports) {
       EXPECT_EQ(error.summary(), path(name) + ": error: is the record that is reported, which it would replace");
     }
   EXPECT_EQ(read_file(path("results.json")), before);
+}
+
+TEST_F(ReportVerb, watch_makes_the_page_anew_while_the_run_goes_on_and_a_last_one_after_it) {
+  auto lock = std::make_unique<FolderLock>(folder_);
+  std::string during;
+  std::jthread bench([&] {
+    const auto page_has = [&](const char* text) {
+      for (int i = 0; i < 400; ++i) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(25));
+        if (!fs::exists(path("report.html"))) continue;
+        during = read_file(path("report.html"));
+        if (during.find(text) != std::string::npos) return true;
+      }
+      return false;
+    };
+    EXPECT_TRUE(page_has("<title>tiny"));
+    Results results = read_results(path("results.json"));
+    results.title = "second state";
+    write_results(path("results.json"), results);
+    EXPECT_TRUE(page_has("<title>second state"));
+    EXPECT_NE(during.find("data-live=\"3\""), std::string::npos);
+    results.title = "last state";
+    write_results(path("results.json"), results);
+    lock.reset();
+  });
+  EXPECT_EQ(run({path("results.json"), "--watch"}), path("report.html") + "\n");
+  const std::string last = read_file(path("report.html"));
+  EXPECT_NE(last.find("<title>last state"), std::string::npos);
+  EXPECT_EQ(last.find("data-live=\""), std::string::npos);
+}
+
+TEST_F(ReportVerb, watch_of_a_run_that_ended_writes_the_page_once) {
+  EXPECT_EQ(run({path("results.json"), "--watch"}), path("report.html") + "\n");
+  EXPECT_EQ(read_file(path("report.html")).find("data-live=\""), std::string::npos);
+}
+
+TEST_F(ReportVerb, watch_needs_a_page) {
+  EXPECT_EQ(complaint([&] {
+              run({path("results.json"), "--watch", "--format", "csv"});
+            }),
+            "--watch: error: follows a run with a page: it needs --format html alone");
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include "reports/view/numbers.h"
 #include "reports/view/races.h"
 #include "reports/view/text.h"
+#include "reports/view/titles.h"
 #include "reports/view/verdicts.h"
 #include "reports/view/view.h"
 #include "scenes/files/atomic_file.h"
@@ -88,7 +89,7 @@ class Writer {
     for (const EngineRecord& engine : view_.engines) {
       rows.push_back({markdown_text(engine.name), markdown_text(engine.title), markdown_text(engine.version)});
     }
-    return text + table({"Engine", "Description", "Version"}, rows, 3);
+    return text + table({"Engine", "Name", "Version"}, rows, 3);
   }
 
   static std::string plain_table(const PlainTable& plain, std::size_t numbers_from) {
@@ -346,7 +347,7 @@ class Writer {
 }  // namespace
 
 void write_markdown_report(const Results& results, const fs::path& results_folder, const fs::path& out) {
-  write_file_atomically(out, Writer(results, results_folder, out).write());
+  write_file_atomically(out, Writer(titled(results), results_folder, out).write());
 }
 
 }  // namespace photonproof::inline reports_formats

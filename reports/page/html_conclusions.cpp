@@ -89,6 +89,11 @@ data race_data(const View& view, const RaceTable::Row& row, const std::vector<st
     entry.set("value", cell.value);
     entry.set("ratio", text_or_false(cell.ratio));
     entry.set("best", cell.best);
+    entry.set("none", cell.value == undefined_number);
+    entry.set("bound", cell.at_least
+                           ? data("a bound: the least time that " + printable(engines[i]) +
+                                  " may need, over the most that the fastest may need (ends of 95 % intervals)")
+                           : data(false));
     cells.push_back(entry);
   }
   item.set("scene", printable(row.scene));
@@ -124,9 +129,13 @@ void set_races(data& page, const View& view) {
   page.set("has_races", !view.races.empty());
   page.set("races_sentence", printable(races_sentence(view)));
   const std::string clock = capitalised(clock_text(clock_of(view)));
-  page.set("times", race_table_data(view, race_table(view),
-                                    {clock + " to the same error. Ratios to the fastest: 95 % intervals, or bounds.",
-                                     "relMSE", "relative mean squared error"}));
+  page.set(
+      "times",
+      race_table_data(
+          view, race_table(view),
+          {clock + " to the same error. Ratios to the fastest are 95 % intervals; “at least” divides the intervals’ "
+                   "nearest ends, so that as much is sure.",
+           "relMSE", "relative mean squared error"}));
   page.set("errors", race_table_data(view, error_table(view),
                                      {"Error (relMSE) in the same time. Ratios to the least: 95 % intervals.", "time",
                                       "time of one image"}));
@@ -140,6 +149,17 @@ void set_glance(data& page, const View& view) {
     engines.push_back(item);
   }
   page.set("has_glance", engines.is_non_empty_list());
+  data words(data::type::list);
+  const std::span<const VerdictWord> all = verdict_words();
+  for (const VerdictWord& word : all) {
+    data item;
+    item.set("word", word.word);
+    item.set("short", word.brief);
+    item.set("meaning", word.meaning);
+    item.set("more", &word != &all.back());
+    words.push_back(item);
+  }
+  page.set("glance_words", words);
   page.set("glances", engines);
 }
 

@@ -11,6 +11,7 @@
 #include "reports/view/environment.h"
 #include "reports/view/metric_columns.h"
 #include "reports/view/text.h"
+#include "reports/view/titles.h"
 #include "scenes/files/atomic_file.h"
 
 namespace photonproof::inline reports_page {
@@ -83,10 +84,9 @@ void set_templates(data& page) {
   set_partial(page, "race_table", templates::race_table);
 }
 
-}  // namespace
-
-void write_html_report(const Results& results, const std::filesystem::path& results_folder,
-                       const std::filesystem::path& out) {
+void write_page(const Results& record, const std::filesystem::path& results_folder, const std::filesystem::path& out,
+                const data& live) {
+  const Results results = titled(record);
   const View view = arrange(results);
   data page, scenes(data::type::list);
   set_header(page, results, view);
@@ -104,7 +104,21 @@ void write_html_report(const Results& results, const std::filesystem::path& resu
   }
   page.set("has_scenes", !view.scenes.empty());
   page.set("scenes", scenes);
+  page.set("live", live);
   write_file_atomically(out, rendered_page(templates::page, page));
+}
+
+}  // namespace
+
+void write_html_report(const Results& results, const std::filesystem::path& results_folder,
+                       const std::filesystem::path& out) {
+  write_page(results, results_folder, out, data(false));
+}
+
+void write_live_html_report(const Results& results, const std::filesystem::path& results_folder,
+                            const std::filesystem::path& out) {
+  constexpr int seconds_between_loads = 3;
+  write_page(results, results_folder, out, data(std::to_string(seconds_between_loads)));
 }
 
 }  // namespace photonproof::inline reports_page

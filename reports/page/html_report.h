@@ -13,4 +13,8 @@ namespace photonproof::inline reports_page {
 void write_html_report(const Results& results, const std::filesystem::path& results_folder,
                        const std::filesystem::path& out);
 
+/// The same of a run that goes on: the page loads itself again every few seconds, and keeps its reader's place.
+void write_live_html_report(const Results& results, const std::filesystem::path& results_folder,
+                            const std::filesystem::path& out);
+
 }  // namespace photonproof::inline reports_page

@@ -203,10 +203,11 @@ TEST_F(ViewerInBrowser, the_loupe_says_the_pixels_values) {
     return seen;)");
   // FLIP: (51 + 2) / 255 = 0.208 in row 2, (51 + 7) / 255 = 0.227 in row 7, 0 on the left.
   EXPECT_EQ(seen["pointed"],
-            (json{"Pixel 5, 2", "reference|0.250|0.250|0.250||", "photon|0.500|0.500|0.500|+92.8 %|0.21"}));
+            (json{"Pixel 5, 2", "reference|0.250|0.250|0.250||", "photon mapper|0.500|0.500|0.500|+92.8 %|0.21"}));
   EXPECT_EQ(seen["keys"],
-            (json{"Pixel 3, 2", "reference|0.250|0.250|0.250||", "photon|0.250|0.250|0.250|+0.00 %|0.00"}));
-  EXPECT_EQ(seen["corner"], (json{"Pixel 7, 7", "reference|0.250|0.250|0.250||", "photon|0.500|NaN|0.500|NaN|0.23"}));
+            (json{"Pixel 3, 2", "reference|0.250|0.250|0.250||", "photon mapper|0.250|0.250|0.250|+0.00 %|0.00"}));
+  EXPECT_EQ(seen["corner"],
+            (json{"Pixel 7, 7", "reference|0.250|0.250|0.250||", "photon mapper|0.500|NaN|0.500|NaN|0.23"}));
   EXPECT_EQ(seen["views"], 2);
 }
 
@@ -227,11 +228,11 @@ TEST_F(ViewerInBrowser, help_digits_and_the_gallery_open_and_choose) {
     box.querySelector(".gallery-toggle").click();
     seen.shown = shown();
     return seen;)");
-  EXPECT_EQ(seen["before"], (json{true, "reference photon"}));
+  EXPECT_EQ(seen["before"], (json{true, "reference photon mapper"}));
   EXPECT_EQ(seen["help"], (json{false, "true"}));
   EXPECT_EQ(seen["digit"], "reference reference");
-  EXPECT_EQ(seen["shiftDigit"], "photon reference");
-  EXPECT_EQ(seen["tooFar"], "photon reference");
+  EXPECT_EQ(seen["shiftDigit"], "photon mapper reference");
+  EXPECT_EQ(seen["tooFar"], "photon mapper reference");
   EXPECT_EQ(seen["hidden"], "none");
   EXPECT_EQ(seen["shown"], "flex");
 }
@@ -274,8 +275,8 @@ TEST_F(ViewerInBrowser, tables_sort_both_ways_and_remarks_stay_with_their_rows) 
   EXPECT_EQ(seen["up"], (json{"ascending", "0.0125", "0.0500", "0.250", "–", "–"}));
   EXPECT_EQ(seen["down"], (json{"descending", "0.250", "0.0500", "0.0125", "–", "–"}));
   EXPECT_EQ(seen["remarks"],
-            (json{"povray quality 1: host was busy (load 3.1)", "povray quality 2: killed after 10 s (limit)"}));
-  EXPECT_EQ(seen["names"], (json{nullptr, "path (reference)", "photon", "photon", "povray", "povray"}));
+            (json{"POV-Ray quality 1: host was busy (load 3.1)", "POV-Ray quality 2: killed after 10 s (limit)"}));
+  EXPECT_EQ(seen["names"], (json{nullptr, "path (reference)", "photon mapper", "photon mapper", "POV-Ray", "POV-Ray"}));
 }
 
 TEST_F(ViewerInBrowser, a_plots_points_say_their_numbers) {
@@ -292,10 +293,11 @@ TEST_F(ViewerInBrowser, a_plots_points_say_their_numbers) {
     seen.key = [tip.hidden, tip.textContent];
     return seen;)");
   EXPECT_EQ(seen["before"], true);
-  EXPECT_EQ(seen["near"], "photon, 20\u202F000 photons, 3 seeds: relMSE 0.0125 [0.0100, 0.0200] in 4.50 s");
+  EXPECT_EQ(seen["near"], "photon mapper, 20\u202F000 photons, 3 seeds: relMSE 0.0125 [0.0100, 0.0200] in 4.50 s");
   EXPECT_EQ(seen["far"], true);
-  EXPECT_EQ(seen["key"],
-            (json{false, "photon, 2000 photons, 3 seeds: relMSE 0.0500 [0.0400, 0.0625] in 1.25 [1.20, 1.50] s"}));
+  EXPECT_EQ(
+      seen["key"],
+      (json{false, "photon mapper, 2000 photons, 3 seeds: relMSE 0.0500 [0.0400, 0.0625] in 1.25 [1.20, 1.50] s"}));
 }
 
 TEST_F(ViewerInBrowser, a_script_that_is_not_the_pages_own_does_not_run) {
@@ -307,6 +309,90 @@ TEST_F(ViewerInBrowser, a_script_that_is_not_the_pages_own_does_not_run) {
   EXPECT_EQ(count(outcome.dom, "<title>broken into"), 0u);
   ASSERT_EQ(outcome.console.size(), 1u);  // the browser says that it refused
   EXPECT_NE(outcome.console[0].find("Content Security Policy"), std::string::npos) << outcome.console[0];
+}
+
+TEST_F(ViewerInBrowser, the_address_names_the_view_and_opens_it_again) {
+  const json seen = use(R"(
+    const look = () => [checked(), [...viewer.querySelectorAll("select")].map((menu) => menu.selectedOptions[0].textContent),
+                        viewer.querySelector(".exposure output").textContent, viewer.querySelector(".zoom").textContent];
+    const [first] = canvases();
+    await key(stage, "d");
+    await key(stage, "x");
+    await key(stage, "e");
+    await key(stage, "+");
+    await key(stage, "+");
+    await key(stage, "ArrowRight", {shiftKey: true});
+    const changed = look();
+    const link = new window.URL(viewer.querySelector(".view-link").href).hash;
+    await until(() => window.location.hash === link);
+    const fragment = window.location.hash;
+    await key(stage, "r");
+    await key(stage, "i");
+    await key(stage, "f");
+    await wait(300);
+    const other = window.location.hash;
+    page.activeElement.blur();
+    window.location.hash = fragment;
+    await until(() => String(look()) === String(changed));
+    return {fragment, same: String(look()) === String(changed), differs: other !== fragment, changed};)");
+  EXPECT_EQ(seen["fragment"],
+            "#scene=box&mode=side&layer=error&a=reference&b=photon+mapper&stops=0.5&zoom=2&at=4%2C4&pixel=5%2C4");
+  EXPECT_TRUE(seen["same"]) << seen;
+  EXPECT_TRUE(seen["differs"]) << seen;
+  EXPECT_EQ(seen["changed"][3], "2×");
+}
+
+/// The page, whose address has this fragment before its own script runs.
+std::filesystem::path page_at(const std::filesystem::path& page, const std::string& fragment,
+                              const std::string& more = {}) {
+  std::string text = file_text(page);
+  const std::size_t policy = text.find("<meta http-equiv");  // it forbids scripts of others
+  text.erase(policy, text.find('\n', policy) - policy);
+  const std::size_t body = text.find('>', text.find("<body")) + 1;
+  text.insert(body, "<script>" + more + "location.hash = \"" + fragment + "\";</script>");
+  const std::filesystem::path out = page.parent_path() / "linked.html";
+  std::ofstream(out) << text;
+  return out;
+}
+
+TEST_F(ViewerInBrowser, a_page_opened_by_a_link_shows_its_view) {
+  const std::string link =
+      "#scene=box&mode=flip&layer=flip&a=reference&b=photon+mapper&shows=a&stops=-1&zoom=4&at=2,2&pixel=3,1";
+  const auto seen = drive(page_at(page, link), 1280, R"(
+    const box = page.querySelector("[data-scene=box]"), told = () => box.querySelector(".viewer .status")?.textContent;
+    await until(() => told());
+    await drawn();
+    return [told(), [...box.querySelectorAll(".viewer input:checked")].map((input) => input.value),
+            box.querySelector(".viewer .zoom").textContent, Math.abs(box.querySelector(".viewer").getBoundingClientRect().top) < 50];)");
+  EXPECT_EQ(seen, (json{"Flip: reference", {"flip", "flip"}, "4×", true}));
+}
+
+TEST_F(ViewerInBrowser, a_link_that_makes_no_sense_is_a_page_all_the_same) {
+  for (const char* link :
+       {"#scene=nobody", "#scene=box&mode=x&layer=y&a=z&zoom=1e999&at=1&pixel=a,b&stops=", "#scene=box&pixel=-5,99"}) {
+    const auto seen = drive(page_at(page, link), 1280, R"(
+      const box = page.querySelector("[data-scene=box]");
+      box.scrollIntoView();
+      return [await until(() => (box.querySelector(".viewer .status")?.textContent ?? "") !== "")];)");
+    EXPECT_EQ(seen, (json{true})) << link;
+  }
+}
+
+// The reload is a browser's own; what the page does before and after it is seen here.
+TEST_F(ViewerInBrowser, a_live_page_loads_itself_again_and_keeps_its_place) {
+  const std::filesystem::path live = folder.path() / "live.html";
+  write_live_html_report(sample_conclusions(), folder.path(), live);
+  EXPECT_EQ(count(file_text(live), "data-live=\"3\""), 1u);
+  EXPECT_EQ(count(file_text(page), "data-live=\""), 0u);
+  const std::string kept = "sessionStorage.setItem(`photonproof scroll ${location.pathname}`, 321);";
+  const auto seen = drive(page_at(live, "", kept), 1280, R"(
+    await until(() => window.scrollY > 0);
+    const before = window.scrollY;
+    let loads = 0;
+    page.defaultView.addEventListener("pagehide", () => ++loads);
+    await until(() => loads > 0);
+    return [before, loads > 0];)");
+  EXPECT_EQ(seen, (json{321, true}));
 }
 
 }  // namespace

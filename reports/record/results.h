@@ -113,6 +113,7 @@ struct SceneRecord {
   /// Why errors against the reference are unreliable: "the reference is by photonmapper, which is biased". Empty if
   /// they are reliable.
   std::string reference_doubt{};
+  std::string title{};  ///< from expect.toml, for pages; empty: the name stands there
 };
 
 struct EngineRecord {

@@ -65,6 +65,7 @@ template <class V>
 void describe(V& v, SceneRecord& r) {
   v.record("scene");
   v.field("name", r.name, {.filled = true});
+  v.maybe("title", r.title, {.says = "name of the scene on pages; absent: its own name"});
   v.field("path", r.path);
   v.field("purpose", r.purpose);
   v.field("width", r.width, {.least = 1});

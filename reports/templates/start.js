@@ -18,6 +18,22 @@ const near = new IntersectionObserver((entries) => {
 }, {rootMargin: "800px"});
 for (const section of document.querySelectorAll("section.scene")) near.observe(section);
 
+// A link to a view opens it, on loading and later.
+async function openView() {
+  const scene = sceneOfFragment(location.hash);
+  if (scene === null) return;
+  const fragment = location.hash, sections = [...document.querySelectorAll("section")];
+  const section = sections.find((node) => (node.dataset.scene ?? node.id) === scene && node.querySelector("script.viewer-data"));
+  const viewer = section && await viewerOf(section.id);
+  if (!viewer) return;
+  viewer.open(fragment);
+  if (scrollBefore === null) viewer.root.scrollIntoView({block: "start"});
+}
+window.addEventListener("hashchange", () => {
+  if (location.hash !== fragmentShown) openView();
+});
+openView();
+
 for (const toggle of document.querySelectorAll("button.gallery-toggle")) {
   toggle.addEventListener("click", () => {
     const open = toggle.closest("section").classList.toggle("shows-gallery");

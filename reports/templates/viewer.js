@@ -2,7 +2,8 @@
 const modes = [["flip", "Flip"], ["split", "Split"], ["side", "Side by side"], ["all", "All"]];
 
 class Viewer {
-  constructor(data) {
+  constructor(data, scene) {
+    this.scene = scene;
     this.state = new ViewerState(data);
     this.pictures = new Pictures(data);
     this.loupe = new Loupe(this.state, this.pictures);
@@ -31,6 +32,7 @@ class Viewer {
     this.menus = [imageMenu("A", state, "a"), imageMenu("B", state, "b")];
     this.exposure = exposureSlider(state);
     this.legend = layerLegend();
+    this.link = linkView(this.scene, state, () => this.root);
     this.helpButton = button("?", "Keys", () => this.toggleHelp());
     this.helpButton.setAttribute("aria-expanded", "false");
     this.zoomText = element("output", {class: "zoom"});
@@ -39,7 +41,7 @@ class Viewer {
         element("span", {class: "zooms"}, button("−", "Zoom out", () => state.zoomAt(0.5)), this.zoomText,
                 button("+", "Zoom in", () => state.zoomAt(2)),
                 button("Reset", "All of the image, exposure 0", () => state.set({zoom: 1, stops: 0, divider: 0.5}))),
-        this.helpButton);
+        this.helpButton, this.link);
   }
 
   makeHelp() {
@@ -124,6 +126,12 @@ class Viewer {
     if (this.status.textContent !== said) this.status.textContent = said;
   }
 
+  // The view that a link names.
+  open(fragment) {
+    this.state.set(changesOf(fragment, this.state.data));
+    showFragment(fragment);
+  }
+
   showTile(index) {
     const {state} = this, tile = state.data.tiles[index];
     const reach = 3 * Math.max(tile.width / state.data.width, tile.height / state.data.height);
@@ -143,7 +151,7 @@ async function makeViewer(section) {
     delete image.pixels;
     if (image.flip) image.flip = await unpackedFlip(image.flip);
   }
-  const viewer = new Viewer(data);
+  const viewer = new Viewer(data, section.dataset.scene ?? section.id);
   source.after(viewer.root);
   section.classList.add("has-viewer");
   viewer.draw();

@@ -28,7 +28,7 @@ bool is_larger(const RaceRecord::Error& error) {
   return error.ratio && error.ratio->interval && error.ratio->interval->low > 1;
 }
 
-const RaceTable::Cell no_cell{undefined_number, "", false};
+const RaceTable::Cell no_cell{undefined_number, "", false, false};
 
 RaceTable table_of_engines(const View& view) {
   RaceTable table;
@@ -132,7 +132,7 @@ RaceTable race_table(const View& view) {
       const auto time = std::ranges::find(race->times, engine, &Time::engine);
       if (time == race->times.end()) continue;
       cell = {seconds_text(*time), time->ratio ? times_text(*time->ratio, time->at_least) : "",
-              won && time == race->times.begin()};
+              won && time == race->times.begin(), time->at_least};
     }
     table.rows.push_back(std::move(row));
   }

@@ -25,9 +25,10 @@ std::string races_sentence(const View& view);
 /// Results of races: a row for each race, a column for each engine.
 struct RaceTable {
   struct Cell {
-    std::string value;  ///< "0.31 s", "> 9 s" or an error. The dash stands for an engine without a known one.
-    std::string ratio;  ///< "3.2 to 4.1 times" or "at least 70 times". Empty for the first, and without a rank.
-    bool best = false;  ///< Set for the winner.
+    std::string value;      ///< "0.31 s", "> 9 s" or an error. The dash stands for an engine without a known one.
+    std::string ratio;      ///< "3.2 to 4.1 times" or "at least 70 times". Empty for the first, and without a rank.
+    bool best = false;      ///< Set for the winner.
+    bool at_least = false;  ///< The ratio is a bound: one of the ends of intervals.
   };
   struct Row {
     std::string scene;

@@ -99,6 +99,21 @@ std::string sentence_of(const CorrectnessRecord& record) {
   return record.sentence + (record.regression_only.empty() ? "" : "; regression only: " + record.regression_only);
 }
 
+std::span<const VerdictWord> verdict_words() {
+  static constexpr VerdictWord words[] = {
+      {"right", "agrees with the reference, and an error would show",
+       "The images agree with the reference, and so large an error of the whole image would have been seen "
+       "(probability "
+       "0.99)."},
+      {"noisy", "no error seen, but noise could hide one",
+       "Nothing is seen, but more than 2 % of the image or 20 % of a block of 8 × 8 pixels could hide."},
+      {"biased", "differs beyond noise, by the size given",
+       "The images differ from the reference by more than noise explains (by chance in 1 of 1000)."},
+      {"unknown", "one seed only, or no reference to believe",
+       "There is one seed only, so that noise is not known, or no reference to believe."}};
+  return words;
+}
+
 std::string status_text(Status status) { return status == Status::ok ? "finished" : to_string(status); }
 
 const CorrectnessRecord* correctness_of(const SceneView& scene, const Cell& cell) {

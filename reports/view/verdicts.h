@@ -1,6 +1,7 @@
 // Texts about right images, for the page, Markdown and the console.
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,13 @@ std::string sentence_of(const CorrectnessRecord& record);
 const CorrectnessRecord* correctness_of(const SceneView& scene, const Cell& cell);
 
 /// "finished" instead of "ok": an engine may end well with a wrong image.
+/// A verdict on images in words.
+struct VerdictWord {
+  const char *word, *brief, *meaning;  ///< `brief` has at most ten words
+};
+/// right, noisy, biased, unknown.
+std::span<const VerdictWord> verdict_words();
+
 std::string status_text(Status status);
 
 /// A bias of at most this share of a block is shown without alarm.

@@ -89,6 +89,7 @@ class ExpectReader {
     const toml::table root = parse();
     Table table(text_, path_, root, "expect.toml");
     Expect expect;
+    if (table.find("title") != nullptr) expect.title = table.text("title");
     expect.purpose = table.text("purpose");
     expect.exposure = table.number("exposure");
     if (const toml::node* node = table.find("hdr_flip_exposures")) expect.hdr_exposures = exposures(table, *node);

@@ -71,6 +71,7 @@ struct PovrayResidual {
 };
 
 struct Expect {
+  std::string title;                               ///< Name of the scene on pages; empty: its own.
   std::string purpose;                             ///< One sentence.
   double exposure = 0;                             ///< Stops for display and for display-encoded metrics.
   std::optional<ExposureRange> hdr_exposures;      ///< hdr_flip_exposures = [start, stop, count]; empty: no hdr_flip.
