@@ -127,7 +127,7 @@ void write_inset_figure(const Results& results, const std::filesystem::path& fol
   const double width = layout.left + count * layout.step() - gap + 1;
   draw_file(out, kind, width, height, results.created, [&](Canvas& canvas) {
     const double exposure = scene.record.exposure;
-    if (crops) draw_overview(canvas, reference.image, insets, exposure, scene_title(scene.record.name));
+    if (crops) draw_overview(canvas, reference.image, insets, exposure, scene_title(scene.record));
     for (std::size_t c = 0; c < columns.size(); ++c)
       draw_column(canvas, columns[c], reference, insets, layout.left + static_cast<double>(c) * layout.step(),
                   layout.cell, exposure);

@@ -72,8 +72,8 @@ LatexTable methods_as_columns(const Quantities& all, std::size_t quantity, const
 }
 
 /// The condition of a race after its scene.
-std::string at_error(const RaceRecord& race) {
-  return scene_title(race.scene) + ", relMSE " + significant(race.relmse, 2);
+std::string at_error(const View& view, const RaceRecord& race) {
+  return scene_title(view, race.scene) + ", relMSE " + significant(race.relmse, 2);
 }
 
 Quantities race_quantities(const View& view) {
@@ -87,7 +87,8 @@ Quantities race_quantities(const View& view) {
   for (std::size_t r = 0; r < table.rows.size(); ++r) {
     const RaceRecord& race = *view.races[r];
     if (race.times.empty()) {
-      all.entries.push_back({scene_title(race.scene), "not judged", {{undefined_number, false, race.undecided}, {""}}});
+      all.entries.push_back(
+          {scene_title(view, race.scene), "not judged", {{undefined_number, false, race.undecided}, {""}}});
       continue;
     }
     for (const RaceRecord::Time& time : race.times) {
@@ -96,7 +97,7 @@ Quantities race_quantities(const View& view) {
       const RaceTable::Cell& cell = table.rows[r].cells[static_cast<std::size_t>(engine - table.engines.begin())];
       const std::string open = time.unranked ? "a bound that leaves the order open" : "";
       all.entries.push_back(
-          {at_error(race), method_title(view, time.engine), {{cell.value, cell.best, open}, {cell.ratio}}});
+          {at_error(view, race), method_title(view, time.engine), {{cell.value, cell.best, open}, {cell.ratio}}});
     }
   }
   return all;
@@ -114,7 +115,7 @@ Quantities equal_time_quantities(const View& view) {
                        return error.ratio && error.ratio->interval && error.ratio->interval->low > 1;
                      });
     for (const RaceRecord::Error& error : errors)
-      all.entries.push_back({scene_title(race->scene) + ", " + significant(race->seconds, 2) + " s",
+      all.entries.push_back({scene_title(view, race->scene) + ", " + significant(race->seconds, 2) + " s",
                              method_title(view, error.engine),
                              {{significant(error.relmse.value, 2), won && &error == &errors.front()},
                               {error.ratio ? times_text(*error.ratio) : ""}}});
@@ -139,7 +140,7 @@ Quantities error_quantities(const View& view) {
       for (const MetricColumn& column : metric_columns())
         cells.push_back({or_dash(metric(shown, column.metric), column.format) + doubt_mark(scene)});
       cells.push_back({or_dash(shown.wall_seconds, [](double v) { return significant(v); })});
-      all.entries.push_back({scene_title(scene.record.name), method_title(view, shown.cell.engine), std::move(cells)});
+      all.entries.push_back({scene_title(scene.record), method_title(view, shown.cell.engine), std::move(cells)});
     }
   }
   return all;
@@ -170,8 +171,7 @@ Quantities point_quantities(const View& view) {
     const PlainTable table = points_table(scene.curves, doubt_mark(scene));
     all.columns = columns_of(table, 2, 4);
     for (const auto& row : table.rows)
-      all.entries.push_back(
-          {scene_title(scene.record.name) + ", " + method_title(view, row[0]), row[1], cells_of(row, 2)});
+      all.entries.push_back({scene_title(scene.record) + ", " + method_title(view, row[0]), row[1], cells_of(row, 2)});
   }
   return all;
 }
@@ -191,7 +191,7 @@ Quantities slope_quantities(const View& view) {
       std::vector<LatexCell> cells = cells_of(row, 1);
       cells.erase(cells.begin() + 2);
       const std::string target = row[3] == undefined_number ? "" : ", relMSE " + row[3];
-      all.entries.push_back({scene_title(scene.record.name) + target, method_title(view, row[0]), std::move(cells)});
+      all.entries.push_back({scene_title(scene.record) + target, method_title(view, row[0]), std::move(cells)});
     }
   }
   // Methods beside each other under one target.
@@ -212,7 +212,7 @@ Quantities gate_quantities(const View& view) {
     for (const auto& row : table.rows) {
       std::vector<LatexCell> cells = cells_of(row, 1);
       cells[0] = {row[0]};  // the gate's name is in the stub
-      all.entries.push_back({scene_title(scene.record.name), row[1], std::move(cells)});
+      all.entries.push_back({scene_title(scene.record), row[1], std::move(cells)});
     }
   }
   return all;

@@ -64,6 +64,14 @@ TEST(LatexReport, is_ascii_and_loses_no_symbol) {
     EXPECT_GT(count(text, set), 0u) << set;
 }
 
+TEST(LatexReport, a_scene_is_called_by_its_title_where_the_record_has_one) {
+  Results results = sample_conclusions();
+  EXPECT_EQ(count(written(results), "A 100\\% white box"), 0u);
+  results.scenes[0].title = "A 100% white box";
+  EXPECT_GE(count(written(results), "A 100\\% white box"), 3u);
+  EXPECT_EQ(count(written(results), "Box"), 0u);
+}
+
 TEST(LatexReport, time_that_is_only_a_bound_stays_one) {
   Results results = sample_conclusions();
   for (Convergence& curve : results.convergence)

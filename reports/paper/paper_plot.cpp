@@ -48,7 +48,7 @@ std::vector<PaperPlot> paper_plots(const View& view, const PaperOptions& options
   std::vector<PaperPlot> plots;
   const auto add = [&](const SceneView& scene) {
     ErrorPlot plot = error_plot(view, scene);
-    if (!plot.series.empty()) plots.push_back({scene_title(scene.record.name), std::move(plot)});
+    if (!plot.series.empty()) plots.push_back({scene_title(scene.record), std::move(plot)});
   };
   if (!options.scene.empty())
     add(scene_of(view, options.scene));

@@ -8,11 +8,19 @@
 namespace photonproof::inline reports_paper {
 using namespace reports;
 
-std::string scene_title(const std::string& name) {
-  std::string title = name;
+std::string scene_title(const SceneRecord& scene) {
+  if (!scene.title.empty()) return scene.title;
+  std::string title = scene.name;
   std::ranges::replace(title, '-', ' ');
   std::ranges::replace(title, '_', ' ');
   return capitalised(title);
+}
+
+std::string scene_title(const View& view, const std::string& name) {
+  if (const SceneView* scene = find_scene(view, name)) return scene_title(scene->record);
+  SceneRecord unknown;
+  unknown.name = name;
+  return scene_title(unknown);
 }
 
 std::vector<std::string> method_titles(const View& view) {

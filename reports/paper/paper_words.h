@@ -8,8 +8,10 @@
 
 namespace photonproof::inline reports_paper {
 
-/// "cornell-spheres" as "Cornell spheres".
-std::string scene_title(const std::string& name);
+/// The record's title, or without one the name in words: "cornell-spheres" as "Cornell spheres".
+std::string scene_title(const SceneRecord& scene);
+/// The same of a scene by its name, also where the view has no such scene.
+std::string scene_title(const reports::View& view, const std::string& name);
 
 /// A title for each engine of the view: "photonproof path tracer" becomes "Path tracer". Two engines of one title have
 /// their names instead.
