@@ -63,6 +63,13 @@ TEST_F(expect_toml, is_read_whole) {
   EXPECT_EQ(expect.tolerances[0].reason, "caustics");
 }
 
+TEST_F(expect_toml, may_have_a_title) {
+  EXPECT_EQ(message(kLeast + "title = \"\"\n"),
+            ":3:9: error: 'title' must be a text that is not empty\n  title = \"\"\n          ^");
+  EXPECT_EQ(read("title = \"Cornell box\"\n" + kLeast).title, "Cornell box");
+  EXPECT_EQ(read(kLeast).title, "");
+}
+
 TEST_F(expect_toml, is_refused_with_the_place_and_what_was_expected) {
   EXPECT_EQ(message("exposure = 0\n"), ":1:1: error: expect.toml needs the key 'purpose'\n  exposure = 0\n  ^");
   EXPECT_EQ(message("purpose = \"x\"\n"), ":1:1: error: expect.toml needs the key 'exposure'\n  purpose = \"x\"\n  ^");
@@ -72,9 +79,10 @@ TEST_F(expect_toml, is_refused_with_the_place_and_what_was_expected) {
             ":2:12: error: 'exposure' must be a finite number\n  exposure = \"0\"\n             ^");
   EXPECT_EQ(message("purpose = \"x\"\nexposure = nan\n"),
             ":2:12: error: 'exposure' must be a finite number\n  exposure = nan\n             ^");
-  EXPECT_EQ(message(kLeast + "exposures = 2\n"),
-            ":3:1: error: expect.toml has no key 'exposures' (did you mean 'exposure'?), expected purpose, exposure, "
-            "hdr_flip_exposures, analytic, unsupported, tolerance, povray or cycles\n  exposures = 2\n  ^");
+  EXPECT_EQ(
+      message(kLeast + "exposures = 2\n"),
+      ":3:1: error: expect.toml has no key 'exposures' (did you mean 'exposure'?), expected title, purpose, exposure, "
+      "hdr_flip_exposures, analytic, unsupported, tolerance, povray or cycles\n  exposures = 2\n  ^");
   EXPECT_EQ(message(kLeast + "hdr_flip_exposures = 4\n"),
             ":3:22: error: 'hdr_flip_exposures' must be a list of start, stop and count\n  hdr_flip_exposures = 4\n"
             "                       ^");
