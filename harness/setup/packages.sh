@@ -16,6 +16,10 @@ package_packages="dpkg-dev file help2man"
 # Packages of ./run --with-cycles: a second unbiased engine for comparisons; optional.
 cycles_packages="blender"
 
+# Packages of ./run --with-mitsuba, which takes Mitsuba itself from Python's packages. Without libLLVM 17 or newer it runs
+# its scalar code.
+mitsuba_packages="python3-venv libllvm19"
+
 # Additional packages of ./run --bench: the benchmark library, and a library to compare with.
 bench_packages="libbenchmark-dev libnanoflann-dev"
 

@@ -36,9 +36,9 @@ constexpr const char* good_row =
     "name = 'mine'\ntitle = 'Mine'\ncommand = ['./mine', '{scene}', '{output}']\nbudgets = ['spp']\ntrust = "
     "'external'\n";
 
-TEST(Engines, builtin_rows_are_our_integrators_povray_cycles_and_kept_references) {
+TEST(Engines, builtin_rows_are_our_integrators_other_programs_and_kept_references) {
   const std::vector<Engine> engines = builtin_engines();
-  ASSERT_EQ(engines.size(), 9u);
+  ASSERT_EQ(engines.size(), 10u);
   for (const char* name : {"path", "bdpt", "ptracer", "volpath"}) {
     EXPECT_EQ(builtin(engines, name).trust, Trust::unbiased) << name;
     EXPECT_TRUE(builtin(engines, name).accepts("spp")) << name;
@@ -50,6 +50,8 @@ TEST(Engines, builtin_rows_are_our_integrators_povray_cycles_and_kept_references
   EXPECT_EQ(builtin(engines, "povray").trust, Trust::biased);
   EXPECT_EQ(builtin(engines, "cycles").trust, Trust::unbiased);
   EXPECT_TRUE(builtin(engines, "cycles").accepts("spp"));
+  EXPECT_EQ(builtin(engines, "mitsuba").trust, Trust::unbiased);
+  EXPECT_TRUE(builtin(engines, "mitsuba").accepts("spp"));
   EXPECT_TRUE(builtin(engines, "photonmapper").accepts("photons"));
   EXPECT_TRUE(builtin(engines, "povray").accepts("quality"));
   EXPECT_TRUE(builtin(engines, "reference").accepts("standard-error"));

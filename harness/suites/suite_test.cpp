@@ -140,7 +140,7 @@ TEST_F(SuiteFile, mistakes_are_named_with_their_place) {
   EXPECT_EQ(with("engine = 'path'\nbudgets", "engine = 'pth'\nbudgets"),
             "s.toml:17:10: error: unknown engine 'pth' (did you mean 'path'?); known: path, photonmapper, sppm, bdpt, "
             "ptracer, volpath, povray, "
-            "cycles, reference");
+            "cycles, mitsuba, reference");
   EXPECT_EQ(with("['spp=1']", "['spp=1', 'photons=2']"),
             "s.toml:18:21: error: engine 'path' takes budgets of spp, seconds, target-error; not 'photons'");
   EXPECT_EQ(with("seeds = [1]", "seeds = [1, -2]"), "s.toml:19:13: error: a seed must not be negative");

@@ -1,4 +1,5 @@
-// photonproof export: a scene file to POV-Ray's scene description language or Blender's Python, or a refusal.
+// photonproof export: a scene file to POV-Ray's scene description language, Blender's Python or Mitsuba's XML, or a
+// refusal.
 
 #include <CLI/CLI.hpp>
 #include <cctype>
@@ -11,8 +12,10 @@
 #include "harness/verbs/usage/verb_usage.h"
 #include "harness/verbs/verbs.h"
 #include "reference/cycles/cycles_export.h"
+#include "reference/mitsuba/mitsuba_export.h"
 #include "reference/povray/povray_export.h"
 #include "scenes/description/output_files.h"
+#include "scenes/files/atomic_file.h"
 
 namespace photonproof::inline harness_verbs {
 namespace {
@@ -22,7 +25,17 @@ void print_crop(const FilmDescription& film) {
     std::printf("then keep %d x %d pixels from %d, %d\n", crop->width, crop->height, crop->x, crop->y);
 }
 
-int export_python(const SceneDescription& description, const PovrayArguments& arguments, const std::string& stem) {
+struct ExportArguments : PovrayArguments {
+  std::string program = "auto";  ///< "povray", "cycles", "mitsuba", or "auto": the file's ending chooses
+};
+
+std::string program_of(const ExportArguments& arguments) {
+  if (arguments.program != "auto") return arguments.program;
+  const std::string ending = std::filesystem::path(arguments.output).extension().string();
+  return ending == ".py" ? "cycles" : ending == ".xml" ? "mitsuba" : "povray";
+}
+
+int export_python(const SceneDescription& description, const ExportArguments& arguments, const std::string& stem) {
   CyclesOptions options;
   options.seed = arguments.options.seed;
   options.stem = stem;
@@ -36,15 +49,39 @@ int export_python(const SceneDescription& description, const PovrayArguments& ar
   return 0;
 }
 
-int run_export(const PovrayArguments& arguments) {
+int export_xml(const SceneDescription& description, const ExportArguments& arguments, const std::string& stem) {
+  namespace fs = std::filesystem;
+  MitsubaOptions options;
+  options.seed = arguments.options.seed;
+  options.stem = stem;
+  const MitsubaExport scene = export_mitsuba(description, options);
+  write_mitsuba(scene, arguments.output);
+  if (scene.plugins.empty()) {
+    std::printf("%s: render with: mitsuba %s\n", arguments.output.c_str(), arguments.output.c_str());
+  } else {
+    const fs::path script = fs::path(arguments.output).parent_path() / (stem + "_render.py"),
+                   job = fs::path(arguments.output).parent_path() / (stem + "_render.json");
+    write_file_atomically(script, mitsuba_script());
+    write_file_atomically(job, mitsuba_job(scene));
+    std::printf(
+        "%s: render with: python3 %s %s %s .\n"
+        "then average batch_*.exr, weighed by their samples\n",
+        arguments.output.c_str(), script.c_str(), arguments.output.c_str(), job.c_str());
+  }
+  print_crop(scene.picture.film);
+  return 0;
+}
+
+int run_export(const ExportArguments& arguments) {
   const SceneDescription description = load_scene(arguments.scene);
   prepare_outputs({arguments.output}, scene_inputs(description));
   PovrayOptions options = arguments.options;
   options.stem = std::filesystem::path(arguments.output).stem().string();
   for (char& c : options.stem)  // it stands between quotes in the text
     if (std::isalnum(static_cast<unsigned char>(c)) == 0) c = '_';
-  if (std::filesystem::path(arguments.output).extension() == ".py")
-    return export_python(description, arguments, options.stem);
+  const std::string program = program_of(arguments);
+  if (program == "cycles") return export_python(description, arguments, options.stem);
+  if (program == "mitsuba") return export_xml(description, arguments, options.stem);
   const PovrayExport scene = export_povray(description, options);
   write_sdl(scene, arguments.output);
   std::string antialias;
@@ -67,15 +104,19 @@ int run_export(const PovrayArguments& arguments) {
 }  // namespace
 
 void add_export_verb(CLI::App& program, int& exit_code) {
-  auto arguments = std::make_shared<PovrayArguments>();
+  auto arguments = std::make_shared<ExportArguments>();
   CLI::App* verb = add_verb(
       program, {.name = "export",
                 .group = render_group,
-                .purpose = "Write a scene for POV-Ray (SDL), or for Blender's Cycles where the name ends in .py",
+                .purpose = "Write a scene for POV-Ray (SDL), Blender's Cycles (.py) or Mitsuba 3 (.xml)",
                 .examples = {"photonproof export scenes/library/cornell/scene.xml -o cornell.pov",
-                             "photonproof export scenes/library/cornell/scene.xml -o cornell.py"},
+                             "photonproof export scenes/library/cornell/scene.xml -o cornell.py",
+                             "photonproof export scenes/library/cornell/scene.xml --for mitsuba -o cornell-3.xml"},
                 .exit_codes = {done, bad_input, not_representable, internal_error}});
-  add_povray_arguments(*verb, *arguments, "SDL or .py to write");
+  add_povray_arguments(*verb, *arguments, "SDL, .py or .xml to write");
+  verb->add_option("--for", arguments->program, "program to write for (default: the file's ending chooses)")
+      ->check(CLI::IsMember({"povray", "cycles", "mitsuba"}))
+      ->type_name("NAME");
   verb->callback([arguments, &exit_code] { exit_code = refusing_with_3([&] { return run_export(*arguments); }); });
 }
 

@@ -32,6 +32,7 @@ namespace photonproof::inline harness_verbs_engines {
 void add_convert_verb(CLI::App& program, int& exit_code);
 void add_povray_verb(CLI::App& program, int& exit_code);
 void add_cycles_verb(CLI::App& program, int& exit_code);
+void add_mitsuba_verb(CLI::App& program, int& exit_code);
 void add_denoiser_verb(CLI::App& program, int& exit_code);
 }  // namespace photonproof::inline harness_verbs_engines
 

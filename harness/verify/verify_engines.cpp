@@ -15,7 +15,8 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Rows of engines.toml. sppm is the photon mapper's code with other settings, and `reference` is one of the others.
-constexpr const char* kVerifying[] = {"path", "bdpt", "ptracer", "volpath", "photonmapper", "povray", "cycles"};
+constexpr const char* kVerifying[] = {"path",         "bdpt",   "ptracer", "volpath",
+                                      "photonmapper", "povray", "cycles",  "mitsuba"};
 
 std::vector<Engine> rows_of(const fs::path& file, const std::vector<Engine>& builtin) {
   if (file.empty()) return {};
@@ -29,7 +30,8 @@ void complete_command(Engine& row) {
   if (row.command.empty() || row.command.front() != "{photonproof}" || row.command.size() < 2) return;
   if (row.command[1] == "render")
     row.command.insert(row.command.end(), {"--sampler", "independent", "--allow-outside"});
-  if (row.command[1] == "povray" || row.command[1] == "cycles") row.command.push_back("--allow-outside");
+  if (row.command[1] == "povray" || row.command[1] == "cycles" || row.command[1] == "mitsuba")
+    row.command.push_back("--allow-outside");
 }
 
 std::string sampling_of_row(const Engine& row) {

@@ -27,8 +27,8 @@ struct EngineChoice {
   std::filesystem::path program;   ///< replaces {photonproof}
 };
 
-/// Engines that are exact or declare their error: path, bdpt, ptracer, volpath, photonmapper, povray, cycles, and every
-/// row of the file. Runs their version commands. Throws InputError for a file that cannot be read and a name without a
+/// Engines that are exact or declare their error: path, bdpt, ptracer, volpath, photonmapper, povray, cycles, mitsuba,
+/// and every row of the file. Runs their version commands. Throws InputError for a file that cannot be read and a name without a
 /// row.
 std::vector<VerifyEngine> verify_engines(const EngineChoice& choice);
 

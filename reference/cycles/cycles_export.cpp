@@ -105,9 +105,9 @@ std::string camera_py(const LoweredCamera& camera) {
   return text + ")";
 }
 
-std::string render_py(const std::vector<CyclesBatch>& batches) {
+std::string render_py(const std::vector<EngineBatch>& batches) {
   std::string text = "render((";
-  for (const CyclesBatch& batch : batches)
+  for (const EngineBatch& batch : batches)
     text += "(" + std::to_string(batch.samples) + ", " + std::to_string(batch.seed) + "), ";
   return text + "))";
 }
@@ -123,7 +123,7 @@ CyclesExport export_cycles(const SceneDescription& scene, const CyclesOptions& o
   result.samples = options.samples > 0 ? options.samples : scene.sensor.sample_count;
   result.threads =
       options.threads > 0 ? options.threads : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-  result.batches = cycles_batches(result.samples, options.seed);
+  result.batches = engine_batches(result.samples, options.seed);
 
   CyclesScript script(scene, options.stem);
   check_lights(script);

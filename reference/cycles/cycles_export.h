@@ -8,6 +8,7 @@
 
 #include "reference/cycles/cycles_options.h"
 #include "reference/cycles/cycles_script.h"
+#include "reference/engines/batches.h"
 #include "scenes/description/description.h"
 
 namespace photonproof::inline reference_cycles {
@@ -20,7 +21,7 @@ struct CyclesExport {
   FilmDescription film;                   ///< The film of that size.
   int samples = 0;
   int threads = 0;
-  std::vector<CyclesBatch> batches;  ///< picture i goes to batch_i.exr in the text's own folder
+  std::vector<EngineBatch> batches;  ///< picture i goes to batch_i.exr in the text's own folder
 };
 
 /// Throws NotRepresentable with the place of what Cycles cannot express.

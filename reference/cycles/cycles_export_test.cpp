@@ -169,7 +169,7 @@ TEST(cycles_export, spots_and_skies_are_told_by_their_angles_and_axes) {
 TEST(cycles_export, batches_share_the_samples_and_no_seed) {
   const auto sizes = [](int samples) {
     std::vector<int> result;
-    for (const CyclesBatch& batch : cycles_batches(samples, 1)) result.push_back(batch.samples);
+    for (const EngineBatch& batch : engine_batches(samples, 1)) result.push_back(batch.samples);
     return result;
   };
   EXPECT_EQ(sizes(1), std::vector<int>{1});
@@ -177,7 +177,7 @@ TEST(cycles_export, batches_share_the_samples_and_no_seed) {
   EXPECT_EQ(sizes(1024), std::vector<int>(16, 64));
   std::set<std::uint32_t> seeds;
   for (std::uint64_t seed = 0; seed < 100; ++seed)
-    for (const CyclesBatch& batch : cycles_batches(64, seed)) {
+    for (const EngineBatch& batch : engine_batches(64, seed)) {
       seeds.insert(batch.seed);
       EXPECT_LT(batch.seed, 1u << 31);
     }

@@ -8,7 +8,7 @@
 #include <variant>
 
 #include "reference/cycles/cycles_shaders.h"
-#include "reference/cycles/ies_image.h"
+#include "reference/engines/ies_image.h"
 #include "reference/cycles/python_text.h"
 #include "scenes/base/text_numbers.h"
 #include "scenes/description/overloaded.h"

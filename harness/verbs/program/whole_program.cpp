@@ -24,6 +24,7 @@ void make_whole_program(CLI::App& program, int& exit_code) {
   add_export_verb(program, exit_code);
   add_povray_verb(program, exit_code);
   add_cycles_verb(program, exit_code);
+  add_mitsuba_verb(program, exit_code);
   add_reference_verb(program, exit_code);
   add_compare_verb(program, exit_code);
   add_view_verb(program, exit_code);

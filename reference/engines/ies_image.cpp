@@ -1,10 +1,10 @@
-#include "reference/cycles/ies_image.h"
+#include "reference/engines/ies_image.h"
 
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
-namespace photonproof::inline reference_cycles {
+namespace photonproof::inline reference_engines {
 namespace {
 
 constexpr int around = 360, up = 8 * 180 + 1;
@@ -55,4 +55,4 @@ Image ies_image(const IesProfile& profile) {
   return image;
 }
 
-}  // namespace photonproof::inline reference_cycles
+}  // namespace photonproof::inline reference_engines

@@ -1,9 +1,9 @@
 // The image of an IES file's candela at angles whose values are known.
-#include "reference/cycles/ies_image.h"
+#include "reference/engines/ies_image.h"
 
 #include <gtest/gtest.h>
 
-namespace photonproof::inline reference_cycles {
+namespace photonproof::inline reference_engines {
 namespace {
 
 /// At degrees from the nadir and around.
@@ -31,4 +31,4 @@ TEST(IesImage, quadrants_and_halves_are_mirrored) {
 }
 
 }  // namespace
-}  // namespace photonproof::inline reference_cycles
+}  // namespace photonproof::inline reference_engines
