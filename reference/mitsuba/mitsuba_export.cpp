@@ -14,28 +14,6 @@
 namespace photonproof::inline reference_mitsuba {
 namespace {
 
-/// Whether Mitsuba's multijitter takes just as many samples. Its grid has r = floor(sqrt(n)) rows.
-bool is_grid(int samples) {
-  int rows = 1;
-  while ((rows + 1) * (rows + 1) <= samples) ++rows;
-  return samples % rows == 0;
-}
-
-/// Batches of equal size for multijitter, as many as there can be; else other ones, for independent samples.
-std::vector<EngineBatch> batches_of(int samples, std::uint64_t seed, const char*& sampler) {
-  constexpr int fewest = 4;
-  sampler = "multijitter";
-  std::vector<EngineBatch> batches = engine_batches(samples, seed);
-  for (int count = static_cast<int>(batches.size()); count >= fewest; --count) {
-    if (samples % count != 0 || !is_grid(samples / count)) continue;
-    batches.resize(static_cast<std::size_t>(count));
-    for (EngineBatch& batch : batches) batch.samples = samples / count;
-    return batches;
-  }
-  sampler = "independent";
-  return batches;
-}
-
 /// The text with Mitsuba's own names, where the description has no place for them. Our writer's lines are known: an
 /// element begins a line, and quotes in values are escaped.
 std::string with_other_names(std::string text, const std::vector<std::string>& plugins) {
@@ -53,7 +31,7 @@ std::string with_other_names(std::string text, const std::vector<std::string>& p
   return text;
 }
 
-/// The text after the explanations as a comment. Mitsuba's <default> has no part in it.
+/// The text after a comment of the explanations.
 std::string with_comment(const std::string& text, const std::vector<std::string>& explanations) {
   if (explanations.empty()) return text;
   std::string comment = "<!--\n";
@@ -75,8 +53,7 @@ MitsubaExport export_mitsuba(const SceneDescription& scene, const MitsubaOptions
   lowered.sensor.film = picture.film;
   result.samples = options.samples > 0 ? options.samples : scene.sensor.sample_count;
   lowered.sensor.sample_count = result.samples;
-  const char* sampler = "independent";
-  picture.batches = batches_of(result.samples, options.seed, sampler);
+  picture.batches = engine_batches(result.samples, options.seed);
   result.threads =
       options.threads > 0 ? options.threads : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
   result.variant = options.variant;
@@ -88,8 +65,7 @@ MitsubaExport export_mitsuba(const SceneDescription& scene, const MitsubaOptions
   lower_shapes(lowering);
   lower_lights(lowering);
 
-  result.text =
-      with_comment(with_other_names(write_scene(lowered, sampler), lowering.plugins()), lowering.explanations());
+  result.text = with_comment(with_other_names(write_scene(lowered), lowering.plugins()), lowering.explanations());
   result.files = lowering.files();
   result.explanations = lowering.explanations();
   result.plugins = lowering.plugins();

@@ -11,8 +11,7 @@ namespace {
 
 class Writer {
  public:
-  Writer(const SceneDescription& scene, const char* sampler)
-      : scene_(scene), sampler_(sampler), materials_(scene, xml_) {}
+  explicit Writer(const SceneDescription& scene) : scene_(scene), materials_(scene, xml_) {}
 
   std::string run() {
     xml_.open("scene", {{"version", "3.0.0"}});
@@ -75,7 +74,7 @@ class Writer {
     else
       write("rfilter", sensor.film.filter);
     xml_.close();
-    SamplerPlugin sampler{.type = sampler_, .sample_count = sensor.sample_count};
+    SamplerPlugin sampler{.sample_count = sensor.sample_count};
     write("sampler", sampler);
     if (sensor.medium) materials_.use("medium", *sensor.medium);
     xml_.close();
@@ -102,13 +101,12 @@ class Writer {
   }
 
   const SceneDescription& scene_;
-  const char* sampler_;
   XmlWriter xml_;
   MaterialWriter materials_;
 };
 
 }  // namespace
 
-std::string write_scene(const SceneDescription& scene, const char* sampler) { return Writer(scene, sampler).run(); }
+std::string write_scene(const SceneDescription& scene) { return Writer(scene).run(); }
 
 }  // namespace photonproof::inline scenes_xml

@@ -1,11 +1,15 @@
 // photonproof mitsuba: a scene file rendered by Mitsuba 3 to an EXR with a variance layer, and a stats JSON in the form
-// of the render verb's. photonproof mitsuba-version prints the version that is installed, and is not in --help.
+// of the render verb's.
+//
+// photonproof mitsuba-version prints the version that is installed. It is not in --help.
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
 
 #include "harness/verbs/engine_output.h"
 #include "harness/verbs/interrupt.h"
