@@ -3,7 +3,6 @@
 
   reference/measure_library.py build/release/bin/photonproof --keep out/povray [--update] [SCENE ...]
   reference/measure_library.py build/release/bin/photonproof --engine cycles --keep out/cycles [--update] [SCENE ...]
-  reference/measure_library.py build/release/bin/photonproof --engine mitsuba --keep out/mitsuba [--update] [SCENE ...]
 
 Every scene is rendered by the engine (size and quality or samples as below, one thread). POV-Ray's picture is compared with
 the library's own reference where the scene has one, of whose size it then is; all others with an integrator that shares
@@ -14,8 +13,7 @@ is lower. Where paths were, or the mean is off by more than is aimed for, noise 
 POV-Ray by paths, are rendered anew, pair after pair with seeds of their own, until the mean of the pairs' differences is
 known to a third of what is aimed for or there are `--pairs` of them. Printed is a line a scene. With --update the figures
 go to [povray] or [cycles] of the scenes' expect.toml, whose `cause` is kept, and what all of them declare to the table in
-reports/published/povray.md or cycles.md, measured by the same options or not. Mitsuba's figures go to the folder of
---keep, and from there to reports/published/mitsuba.md.
+reports/published/povray.md or cycles.md, measured by the same options or not.
 """
 
 import argparse
@@ -30,17 +28,15 @@ import tomllib
 
 ROOT = pathlib.Path(__file__).resolve().parents[1]
 LIBRARY = ROOT / "scenes" / "library"
-NAMES = {"povray": "POV-Ray", "cycles": "Cycles", "mitsuba": "Mitsuba"}
-BY_PATHS_ALONE = ("cycles", "mitsuba")  # engines of noise and no bias
+NAMES = {"povray": "POV-Ray", "cycles": "Cycles"}
 # Option that sets the budget. Allowed error of the mean in percent. Residuals that need no stated cause.
-BUDGET = {"povray": "quality", "cycles": "spp", "mitsuba": "spp"}
-AIMED = {"povray": 0.5, "cycles": 0.3, "mitsuba": 0.3}
+BUDGET = {"povray": "quality", "cycles": "spp"}
+AIMED = {"povray": 0.5, "cycles": 0.3}
 SMALL = {
     "povray": lambda found: abs(found["mean_percent"]) <= AIMED["povray"] and found["ssim"] >= 0.98,
     "cycles": lambda found: all(abs(mean["mean_percent"]) <= max(AIMED["cycles"], 3 * mean["noise_percent"])
                                 for mean in (found, found.get("pairs")) if mean),
 }
-SMALL["mitsuba"] = SMALL["cycles"]
 
 # Pairs of images: factor on an image's samples, the least number of pairs, and the table's text.
 TIMES_A_PAIR = 4
@@ -51,7 +47,6 @@ PAIRS = {
     "cycles": "By pairs: where the mean is off by more than 0.3 %, its difference over images of four times the samples "
               "and several seeds, each against a reference of its own.",
 }
-PAIRS["mitsuba"] = PAIRS["cycles"]
 
 # POV-Ray's presets: the highest with a cache, the time factor to the next, and the most seconds for a scene. The last
 # is the preset without a cache, used where the others are not accurate enough.
@@ -156,7 +151,7 @@ def render_by_engine(program, scene, budget, seed, image, options):
     width, height = size_of(scene, options)
     words = [program, options.engine, LIBRARY / scene / "scene.xml", "-o", image, "--size", f"{width}x{height}",
              "--seed", seed, "--quiet", "--json", f"--{BUDGET[options.engine]}", budget]
-    done = run(words + (["--threads", 1] if options.engine in BY_PATHS_ALONE else []))
+    done = run(words + (["--threads", 1] if options.engine == "cycles" else []))
     if done.returncode == 3:
         return done.stderr.strip().split("\n")[-1].split(f"not representable in {NAMES[options.engine]}: ")[1]
     if done.returncode != 0:
@@ -177,7 +172,7 @@ def measure_at(program, scene, budget, options):
     metrics = compared(program, reference_of(program, scene, options), image)
     found = {BUDGET[options.engine]: budget, "mean_percent": round(100 * metrics["bias"], 2) + 0.0,
              "relmse": float(f"{metrics['relmse']:.1e}"), "ssim": round(metrics["ssim"], 4), "seconds": round(stats["cpu_seconds"], 1)}
-    if options.engine in BY_PATHS_ALONE:
+    if options.engine == "cycles":
         found["noise_percent"] = round(100 * stats["relative_standard_error"], 3)
     return found
 
@@ -230,7 +225,7 @@ def table_row(scene, found, engine):
         return f"| `{scene}` | refused: {found} | | | | | |"
     cause = cause_in((LIBRARY / scene / "expect.toml").read_text(), engine)
     why = f" ({json.loads(cause)})" if cause and not SMALL[engine](found) else ""
-    noise = f" ± {found['noise_percent']:.2f}" if engine in BY_PATHS_ALONE else ""
+    noise = f" ± {found['noise_percent']:.2f}" if engine == "cycles" else ""
     if pairs := found.get("pairs"):
         noise += f" %, by pairs {pairs['mean_percent']:+.2f} ± {pairs['noise_percent']:.2f}"
     return (f"| `{scene}` | {found['mean_percent']:+.2f}{noise} %{why} | {found['ssim']:.4f} | {found['relmse']:.1e} | "
@@ -252,8 +247,8 @@ def write_table(options):
     chosen = "" if name == "povray" else f"--engine {name} "
     noise = "The references have noise of their own."
     truth = "the library's own reference where it has one, else " if name == "povray" else ""
-    if name in BY_PATHS_ALONE:
-        noise = (f"Behind ± is the standard error of {NAMES[name]}'s mean, as the spread of its 16 batches says; the references "
+    if name == "cycles":
+        noise = ("Behind ± is the standard error of Cycles' mean, as the spread of its 16 batches says; the references "
                  "have noise of their own.")
     (ROOT / "reports" / "published" / f"{name}.md").write_text(
         f"# {NAMES[name]} on the scene library\n\n```sh\nreference/measure_library.py build/release/bin/photonproof "
