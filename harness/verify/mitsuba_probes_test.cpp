@@ -44,7 +44,7 @@ TEST_P(MitsubaProbes, is_the_closed_form) {
   }
   EnginePicture picture;
   const MitsubaExport exported =
-      export_mitsuba(scene, {.width = 32, .height = 32, .samples = 512, .threads = 1, .variant = "scalar_rgb"});
+      export_mitsuba(scene, {.width = 32, .height = 32, .samples = 2048, .threads = 1, .variant = "auto"});
   picture.rendering = render_mitsuba(exported, {.python = *python}).rendering;
   const ProbeFit fit = fit_probe(probe, picture);
   std::printf("%s: Mitsuba %.5f +- %.5f x closed form, offset %.5f\n", probe.what.c_str(), fit.gain, fit.gain_error,

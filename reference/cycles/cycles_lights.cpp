@@ -8,8 +8,8 @@
 #include <variant>
 
 #include "reference/cycles/cycles_shaders.h"
-#include "reference/engines/ies_image.h"
 #include "reference/cycles/python_text.h"
+#include "reference/engines/ies_image.h"
 #include "scenes/base/text_numbers.h"
 #include "scenes/description/overloaded.h"
 
