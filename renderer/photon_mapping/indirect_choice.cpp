@@ -6,86 +6,44 @@
 #include <cstdint>
 #include <cstdio>
 #include <limits>
+#include <numeric>
 #include <optional>
-#include <variant>
-#include <vector>
+#include <utility>
 
 #include "renderer/lanes/path_sampler.h"
 #include "renderer/light_sampling/scene_lights.h"
-#include "renderer/passes/scratch_pool.h"
-#include "renderer/passes/tile_film.h"
-#include "renderer/scene/surface_detail.h"
-#include "renderer/sensor/film.h"
+#include "renderer/planning/area_price.h"
 #include "scenes/base/timer.h"
 
 namespace photonproof::inline renderer_photon_mapping {
 namespace {
 
-constexpr Stream indirect_pilot_stream{15}, brightest_light_stream{16};
+constexpr Stream brightest_light_stream{16};
 
-constexpr int samples_a_pixel = 4, pilot_pixels = pilot_camera_paths / samples_a_pixel;
-/// A pixel's variance is relative to the mean of its block.
-constexpr int pixels_a_block = 8;
-
-/// Another method wins if it needs less than this factor of the maps' time, or has less than this factor of their
-/// error.
-constexpr double plainly = 0.9;
+/// Path tracing alone is taken up to this factor of the maps' time or error: a pilot sees less of the maps' bias than
+/// of noise. Otherwise a method must be far better than the maps. Fewer camera paths than a full pilot's know little,
+/// and beside the caustic map paths are hardly ever better than both other methods.
+constexpr double nearly_as_good = 1.2, far_better = 0.6;
+/// Caustic photons of a pilot that tell how much light they carry.
+constexpr std::size_t fewest_photons = 64;
+/// Share of the caustic map's light that paths of a pilot must find, or light in this many pixels.
+constexpr double found_enough = 0.5, fewest_of_light = 8;
 /// Limit of a light's brightness, in means of the image: a pilot meets less bright lights often enough.
 constexpr double bright = 100;
 
 // Measured on library scenes at 256x256 with 16 lanes, one thread.
 constexpr double ray_by_brute_force = 35, ray_elsewhere = 90, gather_time = 70;  // ns
-constexpr double photon_ray_in_rays = 1.4;
-constexpr std::uint64_t priced_photons = 1024;  // of a map, traced only to measure the cost of a photon
-constexpr double guided_start = 600;            // ns: the densities of all places that a photon may be sent to
+/// Caustic gathers are narrower, so that fewer samples share one. After a bounce they lie apart.
+constexpr double caustic_gather_time = 180, bounced_gather_time = 300;
+constexpr double photon_ray_in_rays = 1.4, least_rays_a_photon = 1.5;
+constexpr double guided_start = 600;  // ns: the densities of all places that a photon may be sent to
+
+constexpr double valued_photon = 15;          // ns, by a BSDF
+constexpr std::int64_t longest_of_pass = 64;  // samples a pixel
+/// Time of a map's pilots that decide on its radius: of trials, and of rays.
+constexpr double trials_of_map = 6e6, rays_of_pilot = 2 * photon_ray_in_rays * double{pilot_photons};  // ns, rays
 
 constexpr double photons_in_disc_of_million = 700;
-
-struct Sample {
-  RgbD sum{0.0}, squares{0.0};  ///< sums over a pixel's samples
-};
-
-struct PilotImage {
-  std::vector<Sample> pixels{};  ///< row by row
-  double rays_a_sample = 0;
-  std::vector<double> points_a_sample{};  ///< that it leaves, by surface
-};
-
-RgbD block_mean(const PilotImage& image, std::size_t pixel) {
-  const std::size_t first = pixel / pixels_a_block * pixels_a_block;
-  const std::size_t end = std::min(first + pixels_a_block, image.pixels.size());
-  RgbD sum(0.0);
-  for (std::size_t i = first; i < end; ++i) sum += image.pixels[i].sum;
-  return sum / (static_cast<double>(end - first) * samples_a_pixel);
-}
-
-double mean_of(const RgbD& v) { return (v.x + v.y + v.z) / 3; }
-
-/// Variance of a camera sample, relative to the whole image.
-double variance_of(const PilotImage& image, const PilotImage& whole) {
-  double sum = 0;
-  for (std::size_t i = 0; i < image.pixels.size(); ++i) {
-    const Sample& s = image.pixels[i];
-    const RgbD variance = (s.squares - s.sum * s.sum / double{samples_a_pixel}) / (samples_a_pixel - 1);
-    sum += mean_of(variance * Film::relative_scale(block_mean(whole, i)));
-  }
-  return sum / static_cast<double>(image.pixels.size());
-}
-
-double mean_square_between(const PilotImage& part, const PilotImage& whole) {
-  double sum = 0;
-  for (std::size_t i = 0; i < whole.pixels.size(); ++i) {
-    const RgbD mean = block_mean(whole, i), missing = mean - block_mean(part, i);
-    sum += mean_of(missing * missing * Film::relative_scale(mean));
-  }
-  return sum / static_cast<double>(whole.pixels.size());
-}
-
-double mean_of(const PilotImage& image) {
-  double sum = 0;
-  for (const Sample& s : image.pixels) sum += mean_of(s.sum);
-  return sum / (static_cast<double>(image.pixels.size()) * samples_a_pixel);
-}
 
 /// Radiance of the brightest light among sampled starts of light paths; infinite where no ray can hit the light.
 double brightest_light(const Scene& scene, std::uint64_t seed) {
@@ -103,83 +61,25 @@ double brightest_light(const Scene& scene, std::uint64_t seed) {
   return most;
 }
 
-/// Rays a photon, over the maps that are wanted; aimed and other photons count equally.
-double rays_a_photon(const PhotonSource& source, const PhotonMaps& maps, RenderStats& stats) {
-  const int max_edges = source.settings.limits.max_depth >= 0 ? source.settings.limits.max_depth - 1 : -1;
-  RayTotals rays;
-  double photons = 0;
-  for (const MapState* map : {&maps.global, &maps.caustic}) {
-    if (!map->wanted) continue;
-    trace_photons(source.scene, {map->kind, pilot_stream, source.job.seed, 0, priced_photons, max_edges, map->aimed},
-                  {source.job.kernels(), source.job.sampler}, source.threads, rays);
-    photons += double{priced_photons};
-  }
-  rays.store(stats);
-  return static_cast<double>(rays.counts().photon) / photons;
+double sum_of(const PointsBySurface& points) { return std::accumulate(points.begin(), points.end(), 0.0); }
+
+/// Samples a pixel, infinite where an error or a time decides.
+double samples_of(const RenderJob& job) {
+  const std::optional<std::int64_t> known = known_samples(job);
+  return known ? static_cast<double>(*known) : std::numeric_limits<double>::infinity();
 }
 
-class PilotTracer {
- public:
-  PilotTracer(const PhotonSource& source, const PathSettings& settings, const Tile& window)
-      : source_(source),
-        settings_(settings),
-        window_(window),
-        rows_(std::clamp((pilot_pixels + window.width() - 1) / window.width(), 1, window.height())),
-        scratch_(source.job.kernels().path) {}
+/// Camera paths of the render, infinite where an error decides. Time is that of the tables, for one thread.
+double paths_of(const RenderJob& job, const Tile& window, double nanoseconds) {
+  if (job.budget.seconds) return *job.budget.seconds * 1e9 / nanoseconds;
+  return samples_of(job) * window.width() * window.height();
+}
 
-  /// Traces the pilot; the camera samples are the same for every policy at diffuse surfaces.
-  PilotImage trace(PathPolicy policy) {
-    const auto width = static_cast<std::size_t>(window_.width()), rows = static_cast<std::size_t>(rows_);
-    PilotImage image;
-    image.pixels.resize(width * rows);
-    RayTotals totals;
-    std::vector<std::vector<std::uint32_t>> left(rows);
-    source_.threads.for_each(rows, [&](std::size_t row) {
-      left[row] = trace_row(static_cast<int>(row), policy, &image.pixels[row * width], totals);
-    });
-    const RayCounts rays = totals.counts();
-    const double each = 1 / static_cast<double>(image.pixels.size() * samples_a_pixel);
-    image.rays_a_sample = static_cast<double>(rays.camera + rays.bounce + rays.shadow) * each;
-    image.points_a_sample.resize(source_.scene.surfaces.size());
-    for (const std::vector<std::uint32_t>& surfaces : left)
-      for (const std::uint32_t surface : surfaces) image.points_a_sample[surface] += each;
-    return image;
-  }
-
- private:
-  /// Returns the surfaces where paths leave points.
-  std::vector<std::uint32_t> trace_row(int row, PathPolicy policy, Sample* pixels, RayTotals& totals) {
-    const int y = window_.y0 + (2 * row + 1) * window_.height() / (2 * rows_);
-    PathTask task{.scene = &source_.scene.view(),
-                  .camera = camera_task(source_.job, {window_.x0, y, window_.x1, y + 1}, 0, samples_a_pixel),
-                  .settings = settings_,
-                  .policy = policy};
-    task.camera.seed = stream_seed(source_.job.seed, indirect_pilot_stream);
-    task.camera.grid = 0;
-    std::vector<float> radiance(3 * std::size_t{task.camera.paths()});
-    GatherQueue left(task.camera.paths());
-    task.radiance = radiance.data();
-    if (policy != PathPolicy::beside_caustic_map) task.points = left.view();
-    task.rough.by_photons = splits_rough_parts(source_.scene, policy);
-    scratch_.trace(task);
-    totals.add(task.counts);
-    for (std::size_t i = 0; i < task.camera.paths(); ++i) {
-      const RgbD value(radiance[3 * i], radiance[3 * i + 1], radiance[3 * i + 2]);
-      pixels[i / samples_a_pixel].sum += value;
-      pixels[i / samples_a_pixel].squares += value * value;
-    }
-    left.set_size(task.points.count);
-    std::vector<std::uint32_t> surfaces(left.size());
-    for (std::size_t i = 0; i < left.size(); ++i) surfaces[i] = surface_number(left[i].surface);
-    return surfaces;
-  }
-
-  const PhotonSource& source_;
-  const PathSettings& settings_;
-  const Tile window_;
-  const int rows_;
-  ScratchPool scratch_;
-};
+/// Camera paths of a pilot: a small share of the render's, since three methods have one each.
+double paths_for(const RenderJob& job, const Tile& window) {
+  constexpr double share = 1.0 / 32, fewest = 1024, guessed_time = 500;
+  return std::clamp(share * paths_of(job, window, guessed_time), fewest, double{pilot_camera_paths});
+}
 
 double relmse_of_maps(double samples, const IndirectPilot& pilot) {
   const double photons = samples * pilot.photons_a_sample, rays = pilot.maps.variance / samples;
@@ -200,7 +100,7 @@ double samples_to(double relmse, const IndirectPilot& pilot) {
 }  // namespace
 
 IndirectChoice choose_indirect(const IndirectPilot& pilot, const RenderBudget& budget, std::int64_t samples) {
-  const double map_time = pilot.maps.nanoseconds + pilot.areas;
+  const double map_time = pilot.maps.nanoseconds;
   double relmse = 0, time = 0;  // of the maps
   if (budget.target_error) {
     relmse = *budget.target_error * *budget.target_error;
@@ -212,51 +112,178 @@ IndirectChoice choose_indirect(const IndirectPilot& pilot, const RenderBudget& b
     relmse = relmse_of_maps(time / map_time, pilot);
   }
   if (!(relmse * time > 0)) return {IndirectLight::map, true, "indirect light by photon maps: a pilot meets no noise"};
+  if (pilot.uncertain) return {IndirectLight::map, true, "indirect light by photon maps: a pilot has too few samples"};
   const auto part = [&](const WayOfLight& way) { return way.variance * way.nanoseconds / (relmse * time); };
-  const bool alone = pilot.paths_alone && part(*pilot.paths_alone) < part(pilot.beside_caustics);
-  const double least = alone ? part(*pilot.paths_alone) : part(pilot.beside_caustics);
+  const WayOfLight* paths_alone = pilot.paths_alone ? &*pilot.paths_alone
+                                  : !pilot.caustics ? &pilot.beside_caustics
+                                                    : nullptr;
+  const double beside = part(pilot.beside_caustics);
+  const bool alone = paths_alone != nullptr && (part(*paths_alone) < beside || paths_alone == &pilot.beside_caustics);
+  const double least = alone ? part(*paths_alone) : beside;
+  const bool wins = least < (alone && pilot.full ? nearly_as_good : far_better);
   IndirectChoice choice;
-  const char* way = alone || !pilot.caustics ? "path tracing alone" : "path tracing beside the caustic map";
-  if (least < plainly) {
+  const char* way = alone ? "path tracing alone" : "path tracing beside the caustic map";
+  if (wins) {
     choice.indirect = IndirectLight::path;
     choice.caustic_map = !alone;
   }
   char text[200];
   std::snprintf(text, sizeof text,
                 "indirect light by %s: a pilot gives %s %.2g times the maps' time to a relmse of %.1g",
-                least < plainly ? way : "photon maps", way, least, relmse);
+                wins ? way : "photon maps", way, least, relmse);
   choice.why = text;
   return choice;
 }
 
-IndirectPilot pilot_indirect(const PhotonSource& source, const PhotonMaps& maps, const RenderPlan& plan,
-                             const Tile& window, RenderStats& stats) {
+IndirectPilots::IndirectPilots(const PhotonSource& source, const PhotonMaps& maps, const RenderPlan& plan,
+                               const Tile& window, RenderStats& stats)
+    : source_(source),
+      maps_(maps),
+      window_(window),
+      stats_(stats),
+      settings_(camera_path_settings(source.settings, plan)),
+      ray_(plan.scene.small && !plan.scene.detailed ? ray_by_brute_force : ray_elsewhere),
+      caustics_(maps.caustic.wanted),
+      paths_(paths_for(source.job, window)) {
   const PhaseTimer phase(stats.phases["pilot"]);
-  const PathSettings settings = camera_path_settings(source.settings, plan);
-  PilotTracer tracer(source, settings, window);
-  const bool caustics = maps.caustic.wanted;
-  const PilotImage direct = tracer.trace(policy_of_maps(source.scene, settings));
-  const PilotImage beside = tracer.trace(caustics ? PathPolicy::beside_caustic_map : PathPolicy::path_tracing);
-  std::optional<PilotImage> alone;
-  if (caustics && brightest_light(source.scene, source.job.seed) < bright * mean_of(beside))
-    alone = tracer.trace(PathPolicy::path_tracing);
+  if (caustics_) brightest_ = brightest_light(source.scene, source.job.seed);
+  trace_without_photons();
+}
 
-  const double ray = plan.scene.small && !plan.scene.detailed ? ray_by_brute_force : ray_elsewhere;
-  const CameraView& camera = source.scene.view().camera;
-  const double photons_a_path = maps.global.a_sample * double{camera.inverse_width} * double{camera.inverse_height};
-  const double a_photon = rays_a_photon(source, maps, stats) * photon_ray_in_rays * ray +
-                          (source.scene.view().guided_emission ? guided_start : 0);
-  const double map_time = gather_time + photons_a_path * a_photon;
+void IndirectPilots::trace_without_photons() {
+  tracer_.emplace(source_, settings_, window_, paths_);
+  direct_ = tracer_->trace(policy_of_maps(source_.scene, settings_));
+  if (!caustics_) beside_ = tracer_->trace(PathPolicy::path_tracing);
+}
+
+/// Whether a few of few paths decide.
+bool IndirectPilots::is_uncertain() const {
+  const PilotImage& whole = alone_ ? *alone_ : beside_;
+  return !is_full() && !whole.pixels.empty() &&
+         light_between(direct_, whole, Where::all_pixels).carriers < fewest_of_light;
+}
+
+/// A few bright samples may be all that a pilot knows of the variance that a method adds. Then that has a standard
+/// error more, except for a part that margins bear.
+WayOfLight IndirectPilots::way_of(const PilotImage& image, double nanoseconds) const {
+  constexpr double borne = 1.25;
+  const VarianceBeside beside = variance_beside(direct_, image);
+  const double doubt = beside.added.carriers > 0 ? 1 / std::sqrt(beside.added.carriers) : 0;
+  return {beside.common + beside.added.variance * std::max(1.0, (1 + doubt) / borne), nanoseconds};
+}
+
+/// Share of the caustic photons' light that path tracing alone has found, with one standard error less. Paths find
+/// light on rough surfaces by light samples: these may hide what they do not find. So other pixels must tell, if they
+/// have some of the light.
+double IndirectPilots::share_found() const {
+  constexpr double some = 0.1;
+  const double all = caustic_light(beside_, *alone_, Where::all_pixels).all;
+  const double told = caustic_light(beside_, *alone_, Where::without_rough).all;
+  const LightBetween found = light_between(beside_, *alone_, Where::without_rough);
+  if (!(all > 0)) return 1;
+  if (!(told > some * all && found.carriers > 1)) return 0;
+  return found.relative * (1 - 1 / std::sqrt(found.carriers)) / told;
+}
+
+/// Caustics add the squares of rare hits. A hit's value is at most that of the brightest light, times what surfaces let
+/// through. So light that the caustic map has and these paths have not found bounds the squares that they have not
+/// found.
+std::optional<WayOfLight> IndirectPilots::alone() const {
+  if (!alone_) return std::nullopt;
+  const bool seldom = !(brightest_ < bright * beside_.mean());
+  if (seldom && caustic_photons_ < fewest_photons) return std::nullopt;
+  WayOfLight paths = way_of(*alone_, alone_->rays_a_sample * ray_);
+  const double missing = std::max(0.0, 1 - share_found() / (seldom ? 1 : found_enough));
+  if (missing > 0) paths.variance += missing * caustic_light(beside_, *alone_, Where::all_pixels).dimmed * brightest_;
+  return paths;
+}
+
+/// Variance of the maps' samples. Rare bright samples of directly seen light are left out, as far as chance may have
+/// brought them: passes of the maps take more samples where they are.
+double IndirectPilots::maps_variance() const {
+  const Spread spread = variance_within(direct_, beside_);
+  return spread.carriers > 1 ? spread.variance * (1 - 1 / spread.carriers) : 0;
+}
+
+std::optional<IndirectChoice> IndirectPilots::choose_without_photons() const {
+  if (caustics_ || is_uncertain()) return std::nullopt;
+  const WayOfLight paths = way_of(beside_, beside_.rays_a_sample * ray_);
+  double time = direct_.rays_a_sample * ray_;
+  for (const MapState* map : {&maps_.global, &maps_.caustic}) {
+    if (!map->wanted) continue;
+    time += sum_of(direct_.points_a_sample) * (map->kind == PhotonKind::caustic ? caustic_gather_time : gather_time) +
+            time_of_photons(*map, least_rays_a_photon) +
+            (trials_of_map + rays_of_pilot * ray_) / paths_of(source_.job, window_, paths.nanoseconds);
+  }
+  const double least = maps_variance() * time;
+  const double part = paths.variance * paths.nanoseconds / least;
+  if (!(part < (is_full() ? nearly_as_good : far_better))) return std::nullopt;
+  char text[200];
+  std::snprintf(text, sizeof text,
+                "indirect light by path tracing alone: a pilot gives it %.2g times the time of photon maps of no error",
+                part);
+  return IndirectChoice{IndirectLight::path, false, text};
+}
+
+void IndirectPilots::trace_beside_photons() {
+  if (!caustics_) return;
+  const PhaseTimer phase(stats_.phases["pilot"]);
+  PhotonMap map;
+  Photons copy;
+  copy.append(maps_.caustic.pilot);
+  caustic_photons_ = copy.size();
+  rough_radius_ = maps_.caustic.radii.radius;
+  map.build(std::move(copy), rough_radius_, source_.threads);
+  const PathPilot::CausticMap caustics{map, rough_radius_};
+  beside_ = tracer_->trace(PathPolicy::beside_caustic_map, &caustics);
+  if (std::isfinite(brightest_)) alone_ = tracer_->trace(PathPolicy::path_tracing);
+}
+
+double IndirectPilots::time_of_photons(const MapState& map, double rays_a_photon) const {
+  const CameraView& camera = source_.scene.view().camera;
+  const double a_path = map.a_sample * double{camera.inverse_width} * double{camera.inverse_height};
+  return a_path *
+         (rays_a_photon * photon_ray_in_rays * ray_ + (source_.scene.view().guided_emission ? guided_start : 0));
+}
+
+double IndirectPilots::time_of_gathers(const MapState& map, const PointsBySurface& points, double each) const {
+  return sum_of(points) * each + AreaPrices(source_.scene, map.radii.radius).time_of(points);
+}
+
+double IndirectPilots::gathers_on_rough() const { return sum_of(beside_.rough_points_a_sample); }
+
+/// Every sample gathers by itself on rough parts. The wide and the narrow gather have areas of their own.
+double IndirectPilots::time_on_rough() const {
+  if (!caustics_) return 0;
+  const MapState& map = maps_.caustic;
+  const double wider = square(double{map.radii.radius} / double{rough_radius_});
+  const double photons = std::min(static_cast<double>(longest_of_pass), samples_of(source_.job) / 3) * map.a_sample;
+  const double found = beside_.found_a_sample * wider * photons / static_cast<double>(pilot_photons);
+  return time_of_gathers(map, beside_.rough_points_a_sample, caustic_gather_time) +
+         AreaPrices(source_.scene, map.radii.radius * GatherBias::narrow_part).time_of(beside_.rough_points_a_sample) +
+         found * valued_photon;
+}
+
+IndirectPilot IndirectPilots::measured() const {
   IndirectPilot pilot;
-  pilot.maps = {variance_of(direct, beside), direct.rays_a_sample * ray + (caustics ? 2 : 1) * map_time};
-  pilot.gathers_a_sample = direct.points_a_sample;
-  pilot.beside_caustics = {variance_of(beside, beside),
-                           beside.rays_a_sample * ray + (caustics ? map_time + gather_time : 0)};
-  if (alone) pilot.paths_alone = {variance_of(*alone, *alone), alone->rays_a_sample * ray};
-  pilot.indirect_square = mean_square_between(direct, beside);
-  pilot.caustics = caustics;
-  pilot.photons_a_sample = maps.global.a_sample;
-  pilot.pixels = static_cast<double>(window.width()) * window.height();
+  const double rough = time_on_rough();
+  const double caustic_photons = caustics_ ? time_of_photons(maps_.caustic, maps_.caustic.rays_a_photon) : 0;
+  pilot.maps = {maps_variance(),
+                direct_.rays_a_sample * ray_ + time_of_photons(maps_.global, maps_.global.rays_a_photon) +
+                    caustic_photons + rough + time_of_gathers(maps_.global, direct_.points_a_sample, gather_time) +
+                    (caustics_ ? time_of_gathers(maps_.caustic, direct_.points_a_sample, caustic_gather_time) : 0)};
+  pilot.beside_caustics = way_of(
+      beside_,
+      beside_.rays_a_sample * ray_ + caustic_photons + rough +
+          (caustics_ ? time_of_gathers(maps_.caustic, beside_.caustic_points_a_sample, bounced_gather_time) : 0));
+  pilot.paths_alone = alone();
+  pilot.indirect_square = mean_square_between(direct_, beside_);
+  pilot.uncertain = is_uncertain();
+  pilot.full = is_full();
+  pilot.caustics = caustics_;
+  pilot.trials = maps_.global.trials;
+  pilot.photons_a_sample = maps_.global.a_sample;
+  pilot.pixels = static_cast<double>(window_.width()) * window_.height();
   return pilot;
 }
 

@@ -8,20 +8,34 @@
 // Where no radii were tried, `E = 3/2 i^2 / M` and `M = 700 (N / 1e6)^(2/3)`. The term i^2 is the indirect part of the
 // image's square; M is the number of photons in a disc. A gather's variance is 1/M, and its squared bias half of that
 // at the best radius (gather_bias.h). So maps win early, path tracing late, and the requested error, samples or time
-// decide. Path tracing alone finds caustics by rays that happen to meet lights. Where a light is much brighter than the
-// image, such hits are too rare for a pilot to measure their variance. The caustic map then stays.
+// decide.
+//
+// A wrong choice of paths costs a hundred times as much as one of maps, since rare bright samples may be missing from a
+// pilot. So the choice leans to the maps:
+//   - Path tracing alone finds caustics by rays that happen to meet lights. Its value of such a path is at most w B,
+//   with
+//     the brightest radiance B and the part w that surfaces let through. So a caustic of light EX has `E X^2 <= w B
+//     EX`. Caustic photons tell EX. Light that they have and the pilot's paths have not found adds that much to V.
+//   - What a method adds to the variance of all is relative to other pixels, and has a standard error more where a few
+//     pixels carry it (path_pilot.h). Of the maps' own variance, a part that one pixel may carry by chance is left out.
+//   - A pilot of few camera paths needs a larger margin.
+// Where no ray meets lights, the caustic map stays.
+//
+// Pilots cost time, too. Camera paths come first, as a small share of the render's own. Where there is no caustic, and
+// even maps without any error of their own would be later than path tracing, pilots included, no photon is traced.
 #pragma once
 
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "renderer/photon_mapping/path_pilot.h"
 #include "renderer/photon_mapping/photon_maps.h"
 #include "renderer/photon_mapping/radius_trials.h"
 
 namespace photonproof::inline renderer_photon_mapping {
 
-/// Camera paths of the pilot; it may trace a few more.
+/// Maximum of camera paths of a pilot, for each method; it may trace a few more.
 inline constexpr int pilot_camera_paths = 8192;
 
 /// One method, as the pilot measured it.
@@ -32,13 +46,13 @@ struct WayOfLight {
 
 struct IndirectPilot {
   WayOfLight maps, beside_caustics;
-  double areas = 0;                        ///< nanoseconds of the maps' areas on meshes, a camera sample
-  std::vector<double> gathers_a_sample{};  ///< by surface
-  std::optional<WayOfLight> paths_alone;   ///< Absent where the pilot cannot measure their error.
-  bool caustics = false;                   ///< Whether there is a caustic map.
-  double indirect_square = 0;              ///< The term i^2 of above.
-  RadiusTrials trials{};                   ///< Radii of the global map; may be empty.
-  double photons_a_sample = 0;             ///< The ratio N / S.
+  std::optional<WayOfLight> paths_alone;  ///< Absent where the pilot cannot measure their error.
+  bool uncertain = false;                 ///< Few paths, a few of which decide: maps have no such outliers.
+  bool full = true;                       ///< Whether it has all the camera paths that a pilot may have.
+  bool caustics = false;                  ///< Whether there is a caustic map.
+  double indirect_square = 0;             ///< The term i^2 of above.
+  RadiusTrials trials{};                  ///< Radii of the global map; may be empty.
+  double photons_a_sample = 0;            ///< The ratio N / S.
   double pixels = 1;
 };
 
@@ -49,15 +63,56 @@ struct IndirectChoice {
 };
 
 /// The method that first reaches the requested error, or the one with the least error after the requested samples or
-/// time. A method other than the maps must win plainly.
+/// time. Maps and path tracing alone that are nearly as good: path tracing, if the pilot is full.
 IndirectChoice choose_indirect(const IndirectPilot& pilot, const RenderBudget& budget, std::int64_t samples);
 
 /// A clause about maps of a scene where emission_misses_planes is true (light_sampling/scene_lights.h).
 inline constexpr const char* light_that_maps_miss =
     "photon maps miss what a plane without end throws back, from afar, of light from infinity";
 
-/// Traces the pilot's paths. They cost less than trials of radii where meshes are large.
-IndirectPilot pilot_indirect(const PhotonSource& source, const PhotonMaps& maps, const RenderPlan& plan,
-                             const Tile& window, RenderStats& stats);
+/// The camera paths of the pilot, and the prices of the methods by them.
+class IndirectPilots {
+ public:
+  /// Traces camera paths without photons. All arguments must outlive this.
+  IndirectPilots(const PhotonSource& source, const PhotonMaps& maps, const RenderPlan& plan, const Tile& window,
+                 RenderStats& stats);
+
+  /// Path tracing, where there is no caustic and maps cannot be sooner. Empty where photons must decide.
+  std::optional<IndirectChoice> choose_without_photons() const;
+  /// Traces the other camera paths; the maps have their first radii. They cost less than trials of radii where meshes
+  /// are large.
+  void trace_beside_photons();
+  /// Values by the maps' radii as they are now, and by their trials.
+  IndirectPilot measured() const;
+  /// Gathers of caustic photons on rough parts, and nanoseconds for them, a camera sample.
+  double gathers_on_rough() const;
+  double time_on_rough() const;
+
+ private:
+  void trace_without_photons();
+  double time_of_photons(const MapState& map, double rays_a_photon) const;
+  double time_of_gathers(const MapState& map, const PointsBySurface& points, double each) const;
+  WayOfLight way_of(const PilotImage& image, double nanoseconds) const;
+  double maps_variance() const;
+  double share_found() const;
+  std::optional<WayOfLight> alone() const;
+  bool is_full() const { return paths_ >= pilot_camera_paths; }
+  bool is_uncertain() const;
+
+  const PhotonSource& source_;
+  const PhotonMaps& maps_;
+  const Tile window_;
+  RenderStats& stats_;
+  const PathSettings settings_;
+  const double ray_;  ///< nanoseconds
+  const bool caustics_;
+  double paths_;  ///< of the pilot, for each method
+  std::optional<PathPilot> tracer_{};
+  PilotImage direct_{}, beside_{};
+  std::optional<PilotImage> alone_{};  ///< with caustics, where rays meet lights
+  double brightest_ = 0;               ///< light, with caustics
+  std::size_t caustic_photons_ = 0;    ///< of the pilot
+  float rough_radius_ = 0;             ///< of the gathers on rough parts
+};
 
 }  // namespace photonproof::inline renderer_photon_mapping

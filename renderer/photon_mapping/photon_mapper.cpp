@@ -33,7 +33,6 @@
 #include "renderer/photon_mapping/photon_dots.h"
 #include "renderer/photon_mapping/photon_maps.h"
 #include "renderer/photon_mapping/radius_pilot.h"
-#include "renderer/planning/area_price.h"
 #include "renderer/scene/projection_targets.h"
 #include "scenes/base/input_error.h"
 
@@ -100,14 +99,14 @@ std::string camera_paths_words(const PhotonSettings& settings, bool any_global_m
   std::string words = "to their first diffuse surface, where photons are looked up";
   if (!settings.textbook) words += ", once for all samples of a pixel that end alike";
   if (settings.indirect == IndirectLight::automatic && any_global_map)
-    words += "; or on by path tracing without a global map, if a pilot of " + std::to_string(pilot_camera_paths) +
+    words += "; or on by path tracing without a global map, if a pilot of up to " + std::to_string(pilot_camera_paths) +
              " of them expects the same error in less time";
   return words;
 }
 
 /// Whether the number of samples may differ between pixels.
 bool steers_samples(const PhotonSettings& settings, const AovRow& view, const RenderJob& job) {
-  return !settings.textbook && view.made_from_all() && job.grid == 0;
+  return settings.steers_samples && !settings.textbook && view.made_from_all() && job.grid == 0;
 }
 
 void plan_camera_pilot(Planner& planner) {
@@ -200,7 +199,8 @@ void try_radii(const PhotonSource& source, const RenderPlan& plan, const GatherA
                                    {.least = guessed_radius(*map, emitted),
                                     .most = widest_useful(source.scene),
                                     .most_found = most_found(*map, source.scene, paths),
-                                    .least_exponent = least_exponent(*map)});
+                                    .least_exponent = least_exponent(*map),
+                                    .smooth = map->kind == PhotonKind::global});
     map->pilot = {};
     map->radii.radius = static_cast<float>(guessed_radius(*map, map->radii.first_photons));
   }
@@ -222,40 +222,43 @@ struct GatherTools {
   void try_radii_of(const std::vector<MapState*>& maps) { try_radii(source, plan, make_areas(), window, maps, stats); }
 };
 
-/// The choice between the maps and path tracing. Radii are tried out before, except where the maps lose by the table's
-/// numbers: trials cost most where meshes are large.
+/// The choice between the maps and path tracing. Photons are traced, and then radii tried out, only where the maps may
+/// win by what is known before: trials cost most where meshes are large.
 IndirectChoice choose_indirect(PhotonMaps& maps, GatherTools& tools) {
   const PhotonSource& source = tools.source;
   if (emission_misses_planes(source.scene.surfaces, source.scene.lights))
     return {IndirectLight::path, true, std::string("indirect light by path tracing: ") + light_that_maps_miss};
-  IndirectPilot pilot = pilot_indirect(source, maps, tools.plan, tools.window, tools.stats);
-  const auto choose = [&] {
-    pilot.areas = AreaPrices(source.scene, maps.global.radii.radius).time_of(pilot.gathers_a_sample);
-    return choose_indirect(pilot, source.job.budget, source.job.sample_count);
-  };
+  IndirectPilots pilots(source, maps, tools.plan, tools.window, tools.stats);
+  if (std::optional<IndirectChoice> choice = pilots.choose_without_photons()) return *choice;
+  maps.choose_first_radii(source, tools.stats);
+  pilots.trace_beside_photons();
+  const auto choose = [&] { return choose_indirect(pilots.measured(), source.job.budget, source.job.sample_count); };
   if (IndirectChoice choice = choose(); choice.indirect == IndirectLight::path) return choice;
   tools.try_radii_of(maps.wanted());
-  pilot.trials = maps.global.trials;
   return choose();
 }
 
-/// Chooses the method where the settings leave it open. Adds a warning where the chosen maps miss light.
+/// Chooses the method where the settings leave it open, and the first radii. Adds a warning where the chosen maps miss
+/// light.
 void choose_way(PhotonMaps& maps, GatherTools& tools, PhotonSettings& settings) {
   const bool automatic = settings.indirect == IndirectLight::automatic;
   if (automatic) settings.indirect = IndirectLight::map;
-  if (!maps.global.wanted) return;
   const Scene& scene = tools.source.scene;
-  if (automatic) {
+  if (automatic && maps.global.wanted) {
     const IndirectChoice choice = choose_indirect(maps, tools);
     settings.indirect = choice.indirect;
     // A pass takes as many samples as all before, so that passes end where Sobol points are even. Time to equal error
     // on `lens`: 7 % less.
     if (settings.indirect == IndirectLight::path) settings.parts_of_samples = 1;
     maps.caustic.wanted = maps.caustic.wanted && choice.caustic_map;
+    settings.steers_samples = settings.indirect != IndirectLight::path || maps.caustic.wanted;
     tools.stats.choices.push_back(choice.why);
   }
-  if (settings.indirect != IndirectLight::path && emission_misses_planes(scene.surfaces, scene.lights))
+  if (maps.global.wanted && settings.indirect != IndirectLight::path &&
+      emission_misses_planes(scene.surfaces, scene.lights))
     tools.stats.losses.emplace_back(light_that_maps_miss);
+  if (settings.indirect == IndirectLight::path) maps.global.wanted = false;
+  maps.choose_first_radii(tools.source, tools.stats);
 }
 
 /// Whether an irradiance cache with its own photons replaces the global map. Clears `wanted` of that map if a cache or
@@ -370,9 +373,8 @@ void render_photon_mapper(const Scene& scene, const RenderPlan& plan, const Rend
   const PhotonSource source{scene, settings, job, threads};
   PhotonMaps maps(plan, source);
   const bool no_areas = plan.view == Aov::photons;
-  if (!no_areas) maps.choose_first_radii(source, stats);
   GatherTools tools{source, plan, film.window(), stats};
-  choose_way(maps, tools, settings);
+  if (!no_areas) choose_way(maps, tools, settings);
   PassPlan passes = plan_passes(settings, maps);
   if (no_areas) return render_photon_dots(source, maps, passes, film, stats);
   passes.subtracted = negative_lobes(scene, job).subtracted();

@@ -36,8 +36,17 @@ constexpr double few_photons_in_disc = 10;
 /// hardly any light. With fewer emitted, nothing is known.
 constexpr std::uint64_t few_photons_in_map = 1000;
 constexpr double small_share = 0.01;
+/// Nearly empty maps get one photon in so many.
+constexpr int photons_for_one_of_few = 16;
 /// Radius that blurs all shades of light, as a share of the visible extent.
 constexpr double wide_part = 0.25;
+
+/// Cuts the number of photons of a map where the pilot stores none; not where the number is asked for.
+void emit_few(MapState& map) {
+  map.nearly_empty = true;
+  map.a_sample /= photons_for_one_of_few;
+  map.least /= photons_for_one_of_few;
+}
 
 void choose_first_radius(MapState& map, double asked, const PhotonSource& source, RayTotals& totals) {
   float& radius = map.radii.radius;
@@ -46,7 +55,11 @@ void choose_first_radius(MapState& map, double asked, const PhotonSource& source
   map.fixed_radius = radius > 0;
   if (!map.wanted || map.fixed_radius) return;
   const PhotonRun pilot{map.kind, pilot_stream, source.job.seed, 0, pilot_photons, -1, map.aimed};
-  map.pilot = trace_photons(source.scene, pilot, {source.job.kernels(), source.job.sampler}, source.threads, totals);
+  RayTotals rays;
+  map.pilot = trace_photons(source.scene, pilot, {source.job.kernels(), source.job.sampler}, source.threads, rays);
+  map.rays_a_photon = static_cast<double>(rays.counts().photon) / static_cast<double>(pilot_photons);
+  totals.add(rays.counts());
+  if (map.pilot.size() == 0 && map.least > 1) emit_few(map);
   radius = guess_radius(source.scene, map.pilot, static_cast<double>(pilot_photons), guessed_for, map.photons_in_disc,
                         source.threads);
   // A pilot that stores nothing means a map small enough for any radius.
@@ -72,6 +85,14 @@ void choose_photons(MapState& map, std::int64_t by_scene, const PhotonSource& so
   const double pixels = 1 / (static_cast<double>(camera.inverse_width) * static_cast<double>(camera.inverse_height));
   map.a_sample = photons_a_camera_path * pixels;
   map.least = fewest_photons_a_pass;
+}
+
+void say_if_few_are_emitted(const MapState& map, RenderStats& stats) {
+  if (!map.wanted || !map.nearly_empty) return;
+  char text[160];
+  std::snprintf(text, sizeof text, "one photon in %d for the %s map: of %llu light paths none leaves a photon",
+                photons_for_one_of_few, map.name, static_cast<unsigned long long>(pilot_photons));
+  stats.choices.emplace_back(text);
 }
 
 void store_counts_of(const MapState& state, double scale, std::int64_t passes, RenderStats& stats) {
@@ -178,6 +199,11 @@ PhotonSettings::PhotonSettings(const IntegratorDescription& description, const R
   }
 }
 
+std::optional<std::int64_t> known_samples(const RenderJob& job) {
+  if (job.budget.target_error || job.budget.seconds) return std::nullopt;
+  return job.budget.spp.value_or(job.sample_count);
+}
+
 double guessed_radius(const MapState& map, double photons) {
   return map.trials.empty() ? map.radii.first_radius * shrunk(photons / map.radii.first_photons)
                             : map.trials.best(photons);
@@ -276,6 +302,7 @@ void PhotonMaps::store_counts(const Scene& scene, std::int64_t passes, RenderSta
   stats.counts["passes"] = static_cast<double>(passes);
   store_counts_of(global, scene.scale(), passes, stats);
   store_counts_of(caustic, scene.scale(), passes, stats);
+  for (const MapState* map : {&global, &caustic}) say_if_few_are_emitted(*map, stats);
   say_what_is_lost(scene, passes, stats);
 }
 

@@ -55,6 +55,11 @@ struct PhotonSettings {
   /// on course-1 at 600x600: with a quarter (4), the time to equal error is 1.3 times as long.
   std::int64_t parts_of_samples = 2;
 
+  /// Whether pixels whose passes disagree get more samples. Where path tracing alone is chosen they do not: few passes
+  /// with rare bright samples do not show which pixels need more. On `door-ajar`, 43 % more samples lowered the
+  /// variance by 8 %.
+  bool steers_samples = true;
+
   /// An automatic `indirect` stays so only where nothing else is requested. Numbers of photons, radii and views of a
   /// part of the light select maps; the view of a cache's records selects a cache.
   PhotonSettings(const IntegratorDescription& description, const RenderJob& job);
@@ -63,6 +68,9 @@ struct PhotonSettings {
   /// needed even if a view shows only the light reflected from them.
   bool looks_further() const { return indirect != IndirectLight::map; }
 };
+
+/// Samples a pixel that the render takes; empty where time or an error decides.
+std::optional<std::int64_t> known_samples(const RenderJob& job);
 
 /// Light paths of the pilot that measures a map's first radius.
 inline constexpr std::uint64_t pilot_photons = 20'000;
@@ -77,12 +85,14 @@ struct MapState {
   bool aimed = false;         ///< photons are emitted towards specular surfaces only
   double a_sample = 0;        ///< photons to emit for each camera sample of a pixel
   std::int64_t least = 1;     ///< minimum of photons in a pass
+  bool nearly_empty = false;  ///< the pilot stores no photon: a few are emitted, since some may still carry light
   bool fixed_radius = false;  ///< the scene gives the radius
   RadiusHistory radii{};
   std::vector<SheetTest> tests{};  ///< by surface
   PhotonCounts counts{};
   double pass_photons = 0;                          ///< Number emitted in this pass.
   Photons pilot{};                                  ///< of pilot_photons light paths; until radii are tried
+  double rays_a_photon = 0;                         ///< of the pilot's light paths
   bool tried = false;                               ///< radii, once
   RadiusTrials trials{};                            ///< empty where the first guess stays
   std::atomic<std::uint64_t> gathers{0}, found{0};  ///< Number of gathers and of photons found, over all passes.

@@ -5,6 +5,11 @@
 //   `D_1 D_2` has the square of D's expectation for its mean. The squared bias follows from it (gather_bias.h).
 // The product has an error of about `variance of D x sqrt(2/m)`, where m discs of the radius do not overlap. It is
 // added, since a bias that photons cannot show may be there.
+//
+// A pixel's own value has much noise. It may be too bright by the very bias that is measured: a thin bright line in a
+// dark place is light that leaks around an edge. So there are two scales of errors. Radii are chosen by means of pixels
+// in some cells. The error to expect of light between diffuse surfaces, which is smooth, is relative to the brightest
+// pixel around, of one sample each. Caustics are lines themselves.
 #pragma once
 
 #include <array>
@@ -27,16 +32,23 @@ class RadiusPilot {
     double least, most;     ///< radii
     double most_found;      ///< photons that a gather finds, in the mean
     double least_exponent;  ///< of the squared bias
+    bool smooth;            ///< whether the light has no bright lines
   };
   /// Tries radii from the least on, until wider ones only add bias. The photons are those of `emitted` light paths, in
   /// the order of these. Without enough of them there are no trials.
   RadiusTrials try_radii(const Photons& photons, double emitted, const Limits& limits);
 
  private:
-  /// Camera paths of some pixels, one per pixel.
-  struct Part {
-    std::vector<float> radiance;          ///< without photons; 3 values a path
+  /// Camera paths, one per pixel of a list.
+  struct Paths {
+    std::vector<float> radiance{};        ///< without photons; 3 values a path
     std::optional<GatherQueue> points{};  ///< null where the window has no pixel
+  };
+  /// Some pixels, and a few around each.
+  struct Part {
+    Paths at, around;
+    std::vector<RgbD> scale{};         ///< factor of squared errors, by pixel and by its group
+    std::vector<RgbD> scale_around{};  ///< by the pixels around; empty without them
   };
   /// Light of the paths of a part by each half of the photons.
   struct Light {
@@ -46,12 +58,14 @@ class RadiusPilot {
   using Halves = std::array<Photons, 2>;
   using Maps = std::array<PhotonMap, 2>;
 
+  Maps maps_of(const Halves& photons, float radius) const;
   std::vector<Light> gather(const Halves& photons, float radius);
-  void gather_part(std::size_t number, const Maps& maps, const std::vector<SheetTest>& tests, float radius,
-                   Light& light);
+  void gather_at(Paths& paths, const Maps& maps, const std::vector<SheetTest>& tests, float radius, Light& light) const;
+  void measure_scales_by_groups(const std::vector<Light>& light);
+  void measure_scales_around(const Halves& photons, float radius);
   static Light sums_of(const std::vector<Light>& light);
-  static RgbD mean_image(const Part& part, const Light& light, std::size_t first);
-  GatherBias::Evidence compare(const std::vector<Light>& wide, const std::vector<Light>& narrow) const;
+  GatherBias::Evidence compare(const std::vector<Light>& wide, const std::vector<Light>& narrow,
+                               std::vector<RgbD> Part::*scales) const;
 
   const PhotonSource& source_;
   const GatherAreas& areas_;

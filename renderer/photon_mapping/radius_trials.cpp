@@ -13,7 +13,7 @@ const RadiusTrials::Trial& RadiusTrials::chosen(double emitted) const {
   return *std::ranges::find_if(trials_, [&](const Trial& trial) { return at_most(trial, emitted) <= nearly * least; });
 }
 
-double RadiusTrials::exponent() const {
+std::optional<double> RadiusTrials::seen_exponent() const {
   constexpr double plainly = 4, octave = 2.01;  // doubt is one standard error
   constexpr int fewest = 3;
   double first = 0, count = 0, x = 0, y = 0, xx = 0, xy = 0;  // sums of logarithms
@@ -24,8 +24,8 @@ double RadiusTrials::exponent() const {
     const double radius = std::log(trial.radius / first), bias = std::log(trial.squared_bias);
     count += 1, x += radius, y += bias, xx += radius * radius, xy += radius * bias;
   }
-  if (count < fewest) return smooth_exponent;
-  return std::clamp((count * xy - x * y) / (count * xx - x * x), least_exponent_, smooth_exponent);
+  if (count < fewest) return std::nullopt;
+  return std::clamp((count * xy - x * y) / (count * xx - x * x), edge_exponent, smooth_exponent);
 }
 
 double RadiusTrials::best(double emitted) const {
@@ -34,10 +34,15 @@ double RadiusTrials::best(double emitted) const {
 }
 
 double RadiusTrials::error(double emitted) const {
+  constexpr double unseen_exponent = 2;  // of leaks along edges, and of smooth light: n^(-1/2) is between
   const double known = std::min(emitted, emitted_);
   const Trial& trial = chosen(known);
-  const double noise = variance(trial, known), p = exponent();
-  return (noise + std::max(trial.squared_bias, noise * 2 / p)) * std::pow(emitted / known, -p / (p + 2));
+  const double noise = trial.by_neighbours.variance * emitted_ / known, p = seen_exponent().value_or(unseen_exponent);
+  // A wider disc has no less bias: the least of theirs bounds it.
+  double bias = trial.by_neighbours.squared_bias;
+  for (const Trial& other : trials_)
+    if (other.radius > trial.radius) bias = std::min(bias, other.by_neighbours.squared_bias);
+  return (noise + std::max(bias, noise * 2 / p)) * std::pow(emitted / known, -p / (p + 2));
 }
 
 }  // namespace photonproof::inline renderer_photon_mapping
