@@ -133,7 +133,8 @@ void add_verify_verb(CLI::App& program, int& exit_code) {
                       {3, "nothing is wrong, but something is undecided"},
                       internal_error,
                       interrupted_and_kept},
-       .notes = "Engines by default: path, bdpt, ptracer, volpath, photonmapper, povray, cycles, mitsuba and --engines."});
+       .notes =
+           "Engines by default: path, bdpt, ptracer, volpath, photonmapper, povray, cycles, mitsuba and --engines."});
   add_verify_options(*verb, *arguments);
   verb->callback([arguments, &exit_code] { exit_code = verify(*arguments); });
 }

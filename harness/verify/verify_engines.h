@@ -28,8 +28,8 @@ struct EngineChoice {
 };
 
 /// Engines that are exact or declare their error: path, bdpt, ptracer, volpath, photonmapper, povray, cycles, mitsuba,
-/// and every row of the file. Runs their version commands. Throws InputError for a file that cannot be read and a name without a
-/// row.
+/// and every row of the file. Runs their version commands. Throws InputError for a file that cannot be read and a name
+/// without a row.
 std::vector<VerifyEngine> verify_engines(const EngineChoice& choice);
 
 /// The reason why pictures by this sampling lack some of the scene's light with any number of samples; empty if they
