@@ -177,14 +177,14 @@ TEST_F(ReferenceVerb, standard_error_that_it_states_is_the_error_it_has) {
 // detects a bias that is not estimated, or one that is stated where there is none.
 TEST_F(ReferenceVerb, of_the_photon_mapper_states_its_bias_beside_its_standard_error) {
   const ProcessOutcome made = reference(
-      {"--size", "24x24", "--standard-error", "0.03", "--integrator", "photonmapper", "-o", path("photons.exr")});
+      {"--size", "64x64", "--standard-error", "0.03", "--integrator", "photonmapper", "-o", path("photons.exr")});
   ASSERT_TRUE(made.ok()) << made.standard_error;
   const Provenance stated = parse_provenance(get("photons.json"), "photons.json");
   EXPECT_EQ(stated.estimator, "photonmapper");
   EXPECT_GT(stated.bias, 0.001);
   EXPECT_LT(stated.bias, 0.045);
   ASSERT_TRUE(
-      reference({"--size", "24x24", "--standard-error", "0.01", "--integrator", "path", "-o", path("path.exr")}).ok());
+      reference({"--size", "64x64", "--standard-error", "0.01", "--integrator", "path", "-o", path("path.exr")}).ok());
   EXPECT_EQ(parse_provenance(get("path.json"), "path.json").bias, 0);
   const Image truth = read_image(path("path.exr")), image = read_image(path("photons.exr"));
   double sum = 0;

@@ -20,14 +20,13 @@ namespace {
 
 constexpr Stream brightest_light_stream{16};
 
-/// Path tracing alone is taken up to this factor of the maps' time or error: a pilot sees less of the maps' bias than
-/// of noise. Otherwise a method must be far better than the maps. Fewer camera paths than a full pilot's know little,
-/// and beside the caustic map paths are hardly ever better than both other methods.
-constexpr double nearly_as_good = 1.2, far_better = 0.6;
+/// Path tracing alone is taken up to this factor of the maps' time or error. Paths beside the caustic map must be far
+/// better, since they are hardly ever better than both other methods.
+constexpr double plainly = 0.95, far_better = 0.6;
 /// Caustic photons of a pilot that tell how much light they carry.
 constexpr std::size_t fewest_photons = 64;
-/// Share of the caustic map's light that paths of a pilot must find, or light in this many pixels.
-constexpr double found_enough = 0.5, fewest_of_light = 8;
+/// Share of the caustic map's light that paths of a pilot must find.
+constexpr double found_enough = 0.5;
 /// Limit of a light's brightness, in means of the image: a pilot meets less bright lights often enough.
 constexpr double bright = 100;
 
@@ -75,16 +74,10 @@ double paths_of(const RenderJob& job, const Tile& window, double nanoseconds) {
   return samples_of(job) * window.width() * window.height();
 }
 
-/// Camera paths of a pilot: a small share of the render's, since three methods have one each.
-double paths_for(const RenderJob& job, const Tile& window) {
-  constexpr double share = 1.0 / 32, fewest = 1024, guessed_time = 500;
-  return std::clamp(share * paths_of(job, window, guessed_time), fewest, double{pilot_camera_paths});
-}
-
 double relmse_of_maps(double samples, const IndirectPilot& pilot) {
   const double photons = samples * pilot.photons_a_sample, rays = pilot.maps.variance / samples;
-  if (!pilot.trials.empty()) return rays + pilot.trials.error(photons);
-  return rays + 1.5 * pilot.indirect_square / (photons_in_disc_of_million * std::pow(photons / 1e6, 2.0 / 3));
+  const double by_table = 1.5 * pilot.indirect_square / (photons_in_disc_of_million * std::pow(photons / 1e6, 2.0 / 3));
+  return rays + (pilot.trials.empty() ? by_table : std::max(by_table, pilot.trials.error(photons)));
 }
 
 /// Number of camera samples with which the maps reach that relmse.
@@ -112,7 +105,6 @@ IndirectChoice choose_indirect(const IndirectPilot& pilot, const RenderBudget& b
     relmse = relmse_of_maps(time / map_time, pilot);
   }
   if (!(relmse * time > 0)) return {IndirectLight::map, true, "indirect light by photon maps: a pilot meets no noise"};
-  if (pilot.uncertain) return {IndirectLight::map, true, "indirect light by photon maps: a pilot has too few samples"};
   const auto part = [&](const WayOfLight& way) { return way.variance * way.nanoseconds / (relmse * time); };
   const WayOfLight* paths_alone = pilot.paths_alone ? &*pilot.paths_alone
                                   : !pilot.caustics ? &pilot.beside_caustics
@@ -120,7 +112,7 @@ IndirectChoice choose_indirect(const IndirectPilot& pilot, const RenderBudget& b
   const double beside = part(pilot.beside_caustics);
   const bool alone = paths_alone != nullptr && (part(*paths_alone) < beside || paths_alone == &pilot.beside_caustics);
   const double least = alone ? part(*paths_alone) : beside;
-  const bool wins = least < (alone && pilot.full ? nearly_as_good : far_better);
+  const bool wins = least < (alone ? plainly : far_better);
   IndirectChoice choice;
   const char* way = alone ? "path tracing alone" : "path tracing beside the caustic map";
   if (wins) {
@@ -142,25 +134,17 @@ IndirectPilots::IndirectPilots(const PhotonSource& source, const PhotonMaps& map
       window_(window),
       stats_(stats),
       settings_(camera_path_settings(source.settings, plan)),
-      ray_(plan.scene.small && !plan.scene.detailed ? ray_by_brute_force : ray_elsewhere),
-      caustics_(maps.caustic.wanted),
-      paths_(paths_for(source.job, window)) {
+      ray_(plan.scene.small ? ray_by_brute_force : ray_elsewhere),
+      caustics_(maps.caustic.wanted) {
   const PhaseTimer phase(stats.phases["pilot"]);
   if (caustics_) brightest_ = brightest_light(source.scene, source.job.seed);
   trace_without_photons();
 }
 
 void IndirectPilots::trace_without_photons() {
-  tracer_.emplace(source_, settings_, window_, paths_);
+  tracer_.emplace(source_, settings_, window_, pilot_camera_paths);
   direct_ = tracer_->trace(policy_of_maps(source_.scene, settings_));
   if (!caustics_) beside_ = tracer_->trace(PathPolicy::path_tracing);
-}
-
-/// Whether a few of few paths decide.
-bool IndirectPilots::is_uncertain() const {
-  const PilotImage& whole = alone_ ? *alone_ : beside_;
-  return !is_full() && !whole.pixels.empty() &&
-         light_between(direct_, whole, Where::all_pixels).carriers < fewest_of_light;
 }
 
 /// A few bright samples may be all that a pilot knows of the variance that a method adds. Then that has a standard
@@ -206,7 +190,7 @@ double IndirectPilots::maps_variance() const {
 }
 
 std::optional<IndirectChoice> IndirectPilots::choose_without_photons() const {
-  if (caustics_ || is_uncertain()) return std::nullopt;
+  if (caustics_) return std::nullopt;
   const WayOfLight paths = way_of(beside_, beside_.rays_a_sample * ray_);
   double time = direct_.rays_a_sample * ray_;
   for (const MapState* map : {&maps_.global, &maps_.caustic}) {
@@ -217,7 +201,7 @@ std::optional<IndirectChoice> IndirectPilots::choose_without_photons() const {
   }
   const double least = maps_variance() * time;
   const double part = paths.variance * paths.nanoseconds / least;
-  if (!(part < (is_full() ? nearly_as_good : far_better))) return std::nullopt;
+  if (!(part < plainly)) return std::nullopt;
   char text[200];
   std::snprintf(text, sizeof text,
                 "indirect light by path tracing alone: a pilot gives it %.2g times the time of photon maps of no error",
@@ -241,7 +225,10 @@ void IndirectPilots::trace_beside_photons() {
 
 double IndirectPilots::time_of_photons(const MapState& map, double rays_a_photon) const {
   const CameraView& camera = source_.scene.view().camera;
-  const double a_path = map.a_sample * double{camera.inverse_width} * double{camera.inverse_height};
+  // Passes are longer in longer renders, and each has some photons at least: in small images these are the most.
+  const double samples_a_pass = std::clamp(samples_of(source_.job) / 3, 1.0, double{longest_of_pass});
+  const double photons = std::max(map.a_sample, static_cast<double>(map.least) / samples_a_pass);
+  const double a_path = photons * double{camera.inverse_width} * double{camera.inverse_height};
   return a_path *
          (rays_a_photon * photon_ray_in_rays * ray_ + (source_.scene.view().guided_emission ? guided_start : 0));
 }
@@ -278,8 +265,6 @@ IndirectPilot IndirectPilots::measured() const {
           (caustics_ ? time_of_gathers(maps_.caustic, beside_.caustic_points_a_sample, bounced_gather_time) : 0));
   pilot.paths_alone = alone();
   pilot.indirect_square = mean_square_between(direct_, beside_);
-  pilot.uncertain = is_uncertain();
-  pilot.full = is_full();
   pilot.caustics = caustics_;
   pilot.trials = maps_.global.trials;
   pilot.photons_a_sample = maps_.global.a_sample;

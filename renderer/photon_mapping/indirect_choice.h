@@ -5,7 +5,8 @@
 //   path tracing   `relmse V/S`.
 //   the maps       `relmse V/S + E(N)`, where E is the error of the best radius with N photons in all
 //   (radius_trials.h).
-// Where no radii were tried, `E = 3/2 i^2 / M` and `M = 700 (N / 1e6)^(2/3)`. The term i^2 is the indirect part of the
+// E is at least, and where no radii were tried, `3/2 i^2 / M` with `M = 700 (N / 1e6)^(2/3)`. Trials leave out the
+// error of the caustic map. The term i^2 is the indirect part of the
 // image's square; M is the number of photons in a disc. A gather's variance is 1/M, and its squared bias half of that
 // at the best radius (gather_bias.h). So maps win early, path tracing late, and the requested error, samples or time
 // decide.
@@ -13,16 +14,15 @@
 // A wrong choice of paths costs a hundred times as much as one of maps, since rare bright samples may be missing from a
 // pilot. So the choice leans to the maps:
 //   - Path tracing alone finds caustics by rays that happen to meet lights. Its value of such a path is at most w B,
-//   with
-//     the brightest radiance B and the part w that surfaces let through. So a caustic of light EX has `E X^2 <= w B
-//     EX`. Caustic photons tell EX. Light that they have and the pilot's paths have not found adds that much to V.
+//     with the brightest radiance B and the part w that surfaces let through. So a caustic of light EX has
+//     `E X^2 <= w B EX`. Caustic photons tell EX. Light that they have and the pilot's paths have not found adds that
+//     much to V.
 //   - What a method adds to the variance of all is relative to other pixels, and has a standard error more where a few
 //     pixels carry it (path_pilot.h). Of the maps' own variance, a part that one pixel may carry by chance is left out.
-//   - A pilot of few camera paths needs a larger margin.
 // Where no ray meets lights, the caustic map stays.
 //
-// Pilots cost time, too. Camera paths come first, as a small share of the render's own. Where there is no caustic, and
-// even maps without any error of their own would be later than path tracing, pilots included, no photon is traced.
+// Pilots cost time, too. Camera paths come first. Where there is no caustic, and even maps without any error of their
+// own would be later than path tracing, pilots included, no photon is traced.
 #pragma once
 
 #include <optional>
@@ -35,7 +35,8 @@
 
 namespace photonproof::inline renderer_photon_mapping {
 
-/// Maximum of camera paths of a pilot, for each method; it may trace a few more.
+/// Camera paths of a pilot, for each method; it may trace a few more, and in small images fewer. A smaller pilot took
+/// maps in furnaces at few samples, at up to 69 times the error of paths in the same time.
 inline constexpr int pilot_camera_paths = 8192;
 
 /// One method, as the pilot measured it.
@@ -47,8 +48,6 @@ struct WayOfLight {
 struct IndirectPilot {
   WayOfLight maps, beside_caustics;
   std::optional<WayOfLight> paths_alone;  ///< Absent where the pilot cannot measure their error.
-  bool uncertain = false;                 ///< Few paths, a few of which decide: maps have no such outliers.
-  bool full = true;                       ///< Whether it has all the camera paths that a pilot may have.
   bool caustics = false;                  ///< Whether there is a caustic map.
   double indirect_square = 0;             ///< The term i^2 of above.
   RadiusTrials trials{};                  ///< Radii of the global map; may be empty.
@@ -63,7 +62,7 @@ struct IndirectChoice {
 };
 
 /// The method that first reaches the requested error, or the one with the least error after the requested samples or
-/// time. Maps and path tracing alone that are nearly as good: path tracing, if the pilot is full.
+/// time. Where paths are hardly better: the maps.
 IndirectChoice choose_indirect(const IndirectPilot& pilot, const RenderBudget& budget, std::int64_t samples);
 
 /// A clause about maps of a scene where emission_misses_planes is true (light_sampling/scene_lights.h).
@@ -96,8 +95,6 @@ class IndirectPilots {
   double maps_variance() const;
   double share_found() const;
   std::optional<WayOfLight> alone() const;
-  bool is_full() const { return paths_ >= pilot_camera_paths; }
-  bool is_uncertain() const;
 
   const PhotonSource& source_;
   const PhotonMaps& maps_;
@@ -106,7 +103,6 @@ class IndirectPilots {
   const PathSettings settings_;
   const double ray_;  ///< nanoseconds
   const bool caustics_;
-  double paths_;  ///< of the pilot, for each method
   std::optional<PathPilot> tracer_{};
   PilotImage direct_{}, beside_{};
   std::optional<PilotImage> alone_{};  ///< with caustics, where rays meet lights
