@@ -14,7 +14,8 @@ work=$(mktemp -d) && trap 'rm -rf "$work"' EXIT
 find "$here" -maxdepth 1 -type f -exec cp {} "$work" \; && cd "$work" || exit 2
 export PHOTONPROOF_CACHE=$work/cache
 [ "$name" != ball ] || ${CXX:-g++} -O2 -o ball ball.cpp || exit 2
-"$photonproof" reference "$name.toml" --engine "$name" --budget spp=256 --quiet || exit 2
+engine=$(sed -n '/^\[\[engine\]\]/,/^name/s/^name = "\(.*\)"/\1/p' "$name.toml")
+"$photonproof" reference "$name.toml" --engine "$engine" --budget spp=256 --quiet || exit 2
 
 passed=0 problems=0
 for ((seed = 1; seed <= seeds; ++seed)); do
