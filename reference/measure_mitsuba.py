@@ -81,9 +81,9 @@ def write_table(found):
     noisy = sum(abs(value["mean"]) > AIMED and abs(value["mean"]) <= 3 * value["error"] for value in figures)
     (ROOT / "reports" / "published" / "mitsuba.md").write_text(
         "# Mitsuba on the scene library\n\n```sh\nreference/measure_mitsuba.py build/release/bin/photonproof --keep out/mitsuba "
-        f"--update\n```\n\n{versions} at 64x64: the mean against `path` (`bdpt` where mirrors or narrow holes hide the light, "
-        "`volpath` where there are media), with the standard error of the difference; seconds of processor time; samples a "
-        f"pixel. Of {len(found)} scenes {len(figures)} are rendered and the others refused. {within} means are within "
+        f"--update\n```\n\n{versions} at 64x64, with seconds of processor time and samples a pixel. The mean is compared with that of `path`. "
+        "Where mirrors or narrow holes hide the light it is that of `bdpt`, and with media that of `volpath`. Beside it stands "
+        f"the standard error of the difference. Of {len(found)} scenes {len(figures)} are rendered and the others refused. {within} means are within "
         f"{AIMED} %, and {noisy} more within three standard errors.\n\n"
         "| scene | mean | s | spp |\n|---|--:|--:|--:|\n" + "\n".join(row(*pair) for pair in found.items()) + "\n")
 

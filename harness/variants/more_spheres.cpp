@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <string>
 #include <variant>
@@ -10,19 +9,11 @@
 
 #include "harness/variants/draws.h"
 #include "harness/variants/plain_objects.h"
+#include "scenes/base/bounds.h"
 #include "scenes/description/overloaded.h"
 
 namespace photonproof::inline harness_variants {
 namespace {
-
-struct Bounds {
-  Vec3d low{std::numeric_limits<double>::infinity()}, high{-std::numeric_limits<double>::infinity()};
-  void add(const Vec3d& p) {
-    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
-  }
-  bool empty() const { return !(low.x <= high.x); }
-};
 
 /// A shape as a box in its own space, flat for a rectangle; `round` for a sphere in it.
 struct Obstacle {
@@ -49,7 +40,7 @@ std::optional<Obstacle> obstacle_of(const ShapeDescription& shape) {
                    return true;
                  },
                  [&](const CylinderDescription& cylinder) {
-                   Bounds box;
+                   Bounds3d box;
                    for (const Vec3d& end : {cylinder.p0, cylinder.p1}) {
                      box.add(end - Vec3d(cylinder.radius));
                      box.add(end + Vec3d(cylinder.radius));
@@ -59,7 +50,7 @@ std::optional<Obstacle> obstacle_of(const ShapeDescription& shape) {
                    return true;
                  },
                  [&](const MeshDescription& mesh) {
-                   Bounds box;
+                   Bounds3d box;
                    for (const Vec3f& p : mesh.mesh->positions) box.add(Vec3d(p));
                    obstacle.low = box.low;
                    obstacle.high = box.high;
@@ -127,7 +118,7 @@ const char* add_sphere(SceneDescription& scene, const Vec3d& middle, double radi
 /// The space for spheres. A camera at an angle to the box sees only what is before it, and the water's level divides
 /// the space.
 struct Room {
-  Bounds bounds;
+  Bounds3d bounds;
   std::vector<Obstacle> obstacles;
   View view;
 };

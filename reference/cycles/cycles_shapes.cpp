@@ -15,7 +15,9 @@
 
 #include "reference/cycles/cycles_shaders.h"
 #include "reference/cycles/python_text.h"
+#include "reference/engines/far_square.h"
 #include "reference/engines/heightfield_mesh.h"
+#include "scenes/base/bounds.h"
 #include "scenes/description/overloaded.h"
 
 namespace photonproof::inline reference_cycles {
@@ -25,18 +27,6 @@ namespace {
 struct Placed {
   const ShapeDescription* shape;
   Transform to_world;
-};
-
-struct Bounds {
-  Vec3d low{std::numeric_limits<double>::infinity()}, high{-std::numeric_limits<double>::infinity()};
-  void add(const Vec3d& p) {
-    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
-  }
-  bool overlaps(const Bounds& b) const {
-    return low.x < b.high.x && b.low.x < high.x && low.y < b.high.y && b.low.y < high.y && low.z < b.high.z &&
-           b.low.z < high.z;
-  }
 };
 
 void flatten(const SceneDescription& scene, const ShapeDescription& shape, const Transform& outer,
@@ -90,8 +80,8 @@ class Shapes {
   }
 
  private:
-  Bounds bounds_of(const Placed& placed) const {
-    Bounds bounds;
+  Bounds3d bounds_of(const Placed& placed) const {
+    Bounds3d bounds;
     const auto corners = [&](const Transform& t, const Vec3d& low, const Vec3d& high) {
       for (int i = 0; i < 8; ++i)
         bounds.add(
@@ -126,8 +116,8 @@ class Shapes {
     if (shape.exterior && shape.exterior != shape.interior)
       script_.refuse(shape.loc, "a medium before a surface: Cycles' volumes are inside of bodies");
     if (!shape.interior) return;
-    const Bounds bounds = bounds_of(placed);
-    for (const Bounds& other : media_)
+    const Bounds3d bounds = bounds_of(placed);
+    for (const Bounds3d& other : media_)
       if (bounds.overlaps(other))
         script_.refuse(shape.loc, "a medium where another is: Cycles adds up media that overlap");
     media_.push_back(bounds);
@@ -135,10 +125,10 @@ class Shapes {
 
   void bound() {
     for (const Placed& placed : placed_) {
-      const Bounds bounds = bounds_of(placed);
-      if (bounds.low.x <= bounds.high.x) all_.add(bounds.low), all_.add(bounds.high);
+      const Bounds3d bounds = bounds_of(placed);
+      if (!bounds.empty()) all_.add(bounds.low), all_.add(bounds.high);
     }
-    if (all_.low.x > all_.high.x) all_ = {Vec3d(-1.0), Vec3d(1.0)};
+    if (all_.empty()) all_ = {Vec3d(-1.0), Vec3d(1.0)};
     all_.add(scene_.sensor.to_world.point({0, 0, 0}));
   }
 
@@ -202,7 +192,7 @@ class Shapes {
     double thinnest = std::numeric_limits<double>::infinity();
     for (const double side : {all_.high.x - all_.low.x, all_.high.y - all_.low.y, all_.high.z - all_.low.z})
       if (side > 0) thinnest = std::min(thinnest, side);
-    const Bounds bounds = bounds_of(placed);
+    const Bounds3d bounds = bounds_of(placed);
     const Vec3d size = bounds.high - bounds.low;
     return std::max({size.x, size.y, size.z}) <= too_wide * thinnest;
   }
@@ -247,18 +237,8 @@ class Shapes {
   }
   /// A square far beyond everything, in the plane's own uv.
   Form form_of(const Placed& placed, const PlaneDescription&) {
-    const auto inverse = placed.to_world.inverse();
-    if (!inverse) script_.refuse(placed.shape->loc, "a plane whose to_world has no inverse");
-    const Vec3d middle = inverse->point((all_.low + all_.high) * 0.5);
-    const double unit = std::min(length(placed.to_world.vector({1, 0, 0})), length(placed.to_world.vector({0, 1, 0})));
-    const double half = 1000 * length(all_.high - all_.low) / unit;
-    auto mesh = std::make_shared<TriangleMesh>();
-    for (const auto& [x, y] : {std::pair{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}) {
-      const Vec3f p(Vec3d{middle.x + x * half, middle.y + y * half, 0});
-      mesh->positions.push_back(p);
-      mesh->uvs.push_back({p.x, p.y});
-    }
-    mesh->triangles = {{0, 1, 2}, {0, 2, 3}};
+    const auto mesh = far_square(placed.to_world, all_);
+    if (!mesh) script_.refuse(placed.shape->loc, "a plane whose to_world has no inverse");
     return {mesh_py(mesh, placed.shape->flip_normals, false, false), placed.to_world};
   }
   Form form_of(const Placed& placed, const CurvesDescription&) const {
@@ -291,8 +271,8 @@ class Shapes {
   std::vector<Placed> placed_;
   std::map<const ShapeDescription*, std::shared_ptr<const TriangleMesh>> heights_;
   std::vector<std::pair<CyclesMaterial, std::string>> materials_;
-  std::vector<Bounds> media_;
-  Bounds all_;
+  std::vector<Bounds3d> media_;
+  Bounds3d all_;
   int balls_ = 0, glowing_ = 0, written_ = 0;
 };
 

@@ -1,6 +1,5 @@
 // Shapes for Mitsuba: planes and heightfields become meshes, and every mesh a PLY file.
 #include <algorithm>
-#include <limits>
 #include <map>
 #include <memory>
 #include <string>
@@ -8,46 +7,40 @@
 #include <variant>
 #include <vector>
 
+#include "reference/engines/far_square.h"
 #include "reference/engines/heightfield_mesh.h"
 #include "reference/mitsuba/mitsuba_lowering.h"
+#include "scenes/base/bounds.h"
 #include "scenes/description/overloaded.h"
 
 namespace photonproof::inline reference_mitsuba {
 namespace {
 
-struct Bounds {
-  Vec3d low{std::numeric_limits<double>::infinity()}, high{-std::numeric_limits<double>::infinity()};
-  void add(const Vec3d& p) {
-    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
-  }
-  void add_box(const Transform& t, const Vec3d& a, const Vec3d& b) {
-    for (int i = 0; i < 8; ++i)
-      add(t.point({(i & 1) != 0 ? b.x : a.x, (i & 2) != 0 ? b.y : a.y, (i & 4) != 0 ? b.z : a.z}));
-  }
-};
-
+void add_box(Bounds3d& bounds, const Transform& t, const Vec3d& a, const Vec3d& b) {
+  for (int i = 0; i < 8; ++i)
+    bounds.add(t.point({(i & 1) != 0 ? b.x : a.x, (i & 2) != 0 ? b.y : a.y, (i & 4) != 0 ? b.z : a.z}));
+}
 /// Adds a box around the shape. Planes have none.
-void add_shape(const SceneDescription& scene, const ShapeDescription& shape, const Transform& outer, Bounds& bounds) {
+void add_shape(const SceneDescription& scene, const ShapeDescription& shape, const Transform& outer, Bounds3d& bounds) {
   const Transform t = outer * shape.to_world;
   std::visit(Overloaded{[&](const SphereDescription& s) {
-                          bounds.add_box(t, s.center - Vec3d(s.radius), s.center + Vec3d(s.radius));
+                          add_box(bounds, t, s.center - Vec3d(s.radius), s.center + Vec3d(s.radius));
                         },
                         [&](const CylinderDescription& c) {
                           for (const Vec3d& end : {c.p0, c.p1})
-                            bounds.add_box(t, end - Vec3d(c.radius), end + Vec3d(c.radius));
+                            add_box(bounds, t, end - Vec3d(c.radius), end + Vec3d(c.radius));
                         },
                         [&](const MeshDescription& m) {
                           for (const Vec3f& p : m.mesh->positions) bounds.add(t.point(Vec3d(p)));
                         },
                         [&](const HeightfieldDescription& f) {
-                          bounds.add_box(t, {-1, -1, -f.amplitude}, {1, 1, f.amplitude});
+                          add_box(bounds, t, {-1, -1, -f.amplitude}, {1, 1, f.amplitude});
                         },
                         [&](const InstanceDescription& i) {
                           for (const ShapeDescription& of : scene.groups[i.group.value].shapes)
                             add_shape(scene, of, t, bounds);
                         },
-                        [&](const PlaneDescription&) {}, [&](const auto&) { bounds.add_box(t, Vec3d(-1), Vec3d(1)); }},
+                        [&](const PlaneDescription&) {}, [&](const auto&) { add_box(bounds, t, Vec3d(-1), Vec3d(1)); }},
              shape.geometry);
 }
 
@@ -115,19 +108,9 @@ class Shapes {
 
   /// A square far beyond everything, in the plane's own uv.
   void lower(ShapeDescription& shape, const PlaneDescription&) const {
-    const auto inverse = shape.to_world.inverse();
-    if (!inverse) lowering_.refuse(shape.loc, "a plane whose to_world has no inverse");
+    const auto mesh = far_square(shape.to_world, all_);
+    if (!mesh) lowering_.refuse(shape.loc, "a plane whose to_world has no inverse");
     lowering_.explain("plane of " + scene_.where(shape.loc) + ": a square, 1000 times the scene's size around it");
-    const Vec3d middle = inverse->point((all_.low + all_.high) * 0.5);
-    const double unit = std::min(length(shape.to_world.vector({1, 0, 0})), length(shape.to_world.vector({0, 1, 0})));
-    const double half = 1000 * length(all_.high - all_.low) / unit;
-    auto mesh = std::make_shared<TriangleMesh>();
-    for (const auto& [x, y] : {std::pair{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}) {
-      const Vec3f p(Vec3d{middle.x + x * half, middle.y + y * half, 0});
-      mesh->positions.push_back(p);
-      mesh->uvs.push_back({p.x, p.y});
-    }
-    mesh->triangles = {{0, 1, 2}, {0, 2, 3}};
     shape.geometry = described(mesh, true);
   }
 
@@ -201,7 +184,7 @@ class Shapes {
 
   MitsubaLowering& lowering_;
   const SceneDescription& scene_;
-  Bounds all_;
+  Bounds3d all_;
   std::map<std::pair<std::shared_ptr<const TriangleMesh>, std::string>, std::shared_ptr<const TriangleMesh>> copies_;
 };
 
