@@ -3,6 +3,7 @@
 # repeat. Download: 83 MB. Needs Python 3.11 on x86-64, as Debian 12 has it.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
+source harness/setup/wheels.sh
 
 folder=$PWD/build/peers
 # The wheels of another Python or architecture have other hashes.
@@ -12,15 +13,6 @@ numpy==2.4.6 --hash=sha256:89cd468399cfd2504718f0ba50e410dca55a170b61a02ad92bb18
 
 version() { "$folder/bin/python" -c 'import mitsuba; print("Mitsuba", mitsuba.__version__)' 2>/dev/null; }
 if [ "$(version)" != "Mitsuba 3.9.1" ]; then
-  mkdir -p "$folder"
-  {
-    python3 -m venv "$folder"
-    echo "$requirements" >"$folder/requirements.txt"
-    "$folder/bin/python" -m pip install --no-deps --only-binary :all: --require-hashes -r "$folder/requirements.txt"
-  } >"$folder/install.log" 2>&1 || {
-    tail -n 15 "$folder/install.log" >&2
-    echo "mitsuba: it could not be installed, see $folder/install.log (Python 3.11 and python3-venv are needed)" >&2
-    exit 1
-  }
+  install_wheels "mitsuba: it" "$folder" "$requirements" "Python 3.11 and python3-venv are needed"
 fi
 echo "$(version) in $folder"

@@ -1,21 +1,21 @@
 // photonproof cycles: a scene file rendered by Blender's Cycles to an EXR with a variance layer, and a stats JSON in
 // the form of the render verb's.
 
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
-#include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
 
 #include "harness/verbs/engine_output.h"
+#include "harness/verbs/engines/engine_verb.h"
 #include "harness/verbs/interrupt.h"
 #include "harness/verbs/scene_options.h"
 #include "harness/verbs/usage/progress.h"
 #include "harness/verbs/usage/verb_usage.h"
 #include "harness/verbs/verbs.h"
 #include "reference/cycles/cycles_engine.h"
-#include "scenes/base/json_text.h"
 #include "scenes/description/output_files.h"
-#include "scenes/files/atomic_file.h"
 
 namespace photonproof::inline harness_verbs_engines {
 namespace {
@@ -24,9 +24,7 @@ struct CyclesArguments {
   SceneOptions scene;
   std::string output;
   CyclesOptions options;
-  std::string stats_path;
-  bool json = false;
-  std::string progress = "auto";
+  EngineOutputs outputs;
 };
 
 nlohmann::ordered_json cycles_stats_json(const CyclesArguments& arguments, const CyclesExport& scene,
@@ -50,26 +48,22 @@ nlohmann::ordered_json cycles_stats_json(const CyclesArguments& arguments, const
 }
 
 int run_cycles(const CyclesArguments& arguments) {
-  const std::string stats_path = checked_stats_path(arguments.stats_path, arguments.output, arguments.scene.path);
+  const std::string stats_path =
+      checked_stats_path(arguments.outputs.stats_path, arguments.output, arguments.scene.path);
   const SceneDescription description = load_scene(arguments.scene);
   prepare_outputs({arguments.output, stats_path}, scene_inputs(description));
   const CyclesExport scene = export_cycles(description, arguments.options);
   CyclesRunOptions options;
   options.interrupt = &interrupt_flag();
-  Progress progress(arguments.progress);
+  Progress progress(arguments.outputs.progress);
   options.progress = progress.callback();
   const CyclesRun run = render_cycles(scene, options);
 
-  write_exr(arguments.output, run.rendering);
-  const nlohmann::ordered_json json = cycles_stats_json(arguments, scene, run);
-  write_file_atomically(stats_path, json_text(json) + "\n");
-  if (arguments.json)
-    std::printf("%s\n", json_text(json).c_str());
-  else
-    std::printf("%s: Cycles of %s, %dx%d, %d samples a pixel, %.2f s\n", arguments.output.c_str(), run.version.c_str(),
-                run.rendering.mean.width, run.rendering.mean.height, scene.samples, run.wall_seconds);
-  for (const std::string& defect : run.defects)
-    std::fprintf(stderr, "%s: %s\n", arguments.output.c_str(), defect.c_str());
+  const std::string line =
+      fmt::format("{}: Cycles of {}, {}x{}, {} samples a pixel, {:.2f} s", arguments.output, run.version,
+                  run.rendering.mean.width, run.rendering.mean.height, scene.samples, run.wall_seconds);
+  write_engine_outputs(arguments.output, stats_path, run.rendering, cycles_stats_json(arguments, scene, run), line,
+                       arguments.outputs.json, run.defects);
   return 0;
 }
 
@@ -84,21 +78,10 @@ void add_cycles_verb(CLI::App& program, int& exit_code) {
                          .examples = {"photonproof cycles scenes/library/cornell/scene.xml -o cycles.exr --spp 256"},
                          .exit_codes = {done, bad_input, not_representable, engine_failed, nothing_written}});
   add_scene_options(*verb, arguments->scene);
-  begin_option_group(*verb, output_group);
-  verb->add_option("-o,--output", arguments->output, "EXR to write")->required();
-  verb->add_option("--stats", arguments->stats_path, "stats JSON to write (default: beside the EXR, as .stats.json)");
-  begin_option_group(*verb, "Method");
-  verb->add_option("--spp", arguments->options.samples, "samples per pixel (default: the scene's)")
-      ->transform(whole_number(1, 1 << 24))
-      ->type_name("N");
-  verb->add_option("--seed", arguments->options.seed, "same seed, same samples; the last bits of the image may differ")
-      ->check(is_seed);
-  begin_option_group(*verb, run_group);
-  verb->add_option("--threads", arguments->options.threads, "worker threads (default: every core)")
-      ->check(CLI::Range(1, 1024));
-  verb->add_flag("--json", arguments->json, "print the stats as JSON");
-  add_progress_option(*verb, arguments->progress);
-  add_quiet_option(*verb, arguments->progress);
+  add_output_options(*verb, arguments->output, arguments->outputs);
+  add_sample_options(*verb, arguments->options.samples, arguments->options.seed);
+  add_threads_option(*verb, arguments->options.threads);
+  add_report_options(*verb, arguments->outputs);
   verb->callback([arguments, &exit_code] {
     exit_code = refusing_with_3([&] { return interruptibly([&] { return run_cycles(*arguments); }); });
   });

@@ -1,7 +1,9 @@
-// photonproof mitsuba: a scene file rendered by Mitsuba 3 to an EXR with a variance layer, and a stats JSON in the form
-// of the render verb's.
+// photonproof mitsuba: a scene file rendered by Mitsuba 3. It writes an EXR with a variance layer, and a stats JSON in
+// the form of the render verb's.
 //
 // photonproof mitsuba-version prints the version that is installed. It is not in --help.
+
+#include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
@@ -12,6 +14,7 @@
 #include <string>
 
 #include "harness/verbs/engine_output.h"
+#include "harness/verbs/engines/engine_verb.h"
 #include "harness/verbs/interrupt.h"
 #include "harness/verbs/scene_options.h"
 #include "harness/verbs/usage/progress.h"
@@ -19,9 +22,7 @@
 #include "harness/verbs/verbs.h"
 #include "reference/mitsuba/mitsuba_engine.h"
 #include "reference/mitsuba/mitsuba_python.h"
-#include "scenes/base/json_text.h"
 #include "scenes/description/output_files.h"
-#include "scenes/files/atomic_file.h"
 
 namespace photonproof::inline harness_verbs_engines {
 namespace {
@@ -30,9 +31,7 @@ struct MitsubaArguments {
   SceneOptions scene;
   std::string output;
   MitsubaOptions options;
-  std::string stats_path;
-  bool json = false;
-  std::string progress = "auto";
+  EngineOutputs outputs;
 };
 
 nlohmann::ordered_json mitsuba_stats_json(const MitsubaArguments& arguments, const MitsubaExport& scene,
@@ -65,7 +64,8 @@ std::optional<std::string> installed_python() {
 }
 
 int run_mitsuba(const MitsubaArguments& arguments) {
-  const std::string stats_path = checked_stats_path(arguments.stats_path, arguments.output, arguments.scene.path);
+  const std::string stats_path =
+      checked_stats_path(arguments.outputs.stats_path, arguments.output, arguments.scene.path);
   const SceneDescription description = load_scene(arguments.scene);
   prepare_outputs({arguments.output, stats_path}, scene_inputs(description));
   const MitsubaExport scene = export_mitsuba(description, arguments.options);
@@ -77,21 +77,15 @@ int run_mitsuba(const MitsubaArguments& arguments) {
   MitsubaRunOptions options;
   options.python = *python;
   options.interrupt = &interrupt_flag();
-  Progress progress(arguments.progress);
+  Progress progress(arguments.outputs.progress);
   options.progress = progress.callback();
   const MitsubaRun run = render_mitsuba(scene, options);
 
-  write_exr(arguments.output, run.rendering);
-  const nlohmann::ordered_json json = mitsuba_stats_json(arguments, scene, run);
-  write_file_atomically(stats_path, json_text(json) + "\n");
-  if (arguments.json)
-    std::printf("%s\n", json_text(json).c_str());
-  else
-    std::printf("%s: %s (%s), %dx%d, %d samples a pixel, %.2f s\n", arguments.output.c_str(), run.version.c_str(),
-                run.variant.c_str(), run.rendering.mean.width, run.rendering.mean.height, scene.samples,
-                run.wall_seconds);
-  for (const std::string& defect : run.defects)
-    std::fprintf(stderr, "%s: %s\n", arguments.output.c_str(), defect.c_str());
+  const std::string line =
+      fmt::format("{}: {} ({}), {}x{}, {} samples a pixel, {:.2f} s", arguments.output, run.version, run.variant,
+                  run.rendering.mean.width, run.rendering.mean.height, scene.samples, run.wall_seconds);
+  write_engine_outputs(arguments.output, stats_path, run.rendering, mitsuba_stats_json(arguments, scene, run), line,
+                       arguments.outputs.json, run.defects);
   return 0;
 }
 
@@ -124,24 +118,13 @@ void add_mitsuba_verb(CLI::App& program, int& exit_code) {
                                         engine_failed,
                                         nothing_written}});
   add_scene_options(*verb, arguments->scene);
-  begin_option_group(*verb, output_group);
-  verb->add_option("-o,--output", arguments->output, "EXR to write")->required();
-  verb->add_option("--stats", arguments->stats_path, "stats JSON to write (default: beside the EXR, as .stats.json)");
-  begin_option_group(*verb, "Method");
-  verb->add_option("--spp", arguments->options.samples, "samples per pixel (default: the scene's)")
-      ->transform(whole_number(1, 1 << 24))
-      ->type_name("N");
-  verb->add_option("--seed", arguments->options.seed, "same seed, same samples; the last bits of the image may differ")
-      ->check(is_seed);
+  add_output_options(*verb, arguments->output, arguments->outputs);
+  add_sample_options(*verb, arguments->options.samples, arguments->options.seed);
   verb->add_option("--variant", arguments->options.variant,
                    "Mitsuba's code: llvm_ad_rgb, scalar_rgb (default: the first where libLLVM 17 or newer is found)")
       ->check(CLI::IsMember({"auto", "llvm_ad_rgb", "scalar_rgb"}));
-  begin_option_group(*verb, run_group);
-  verb->add_option("--threads", arguments->options.threads, "worker threads (default: every core)")
-      ->check(CLI::Range(1, 1024));
-  verb->add_flag("--json", arguments->json, "print the stats as JSON");
-  add_progress_option(*verb, arguments->progress);
-  add_quiet_option(*verb, arguments->progress);
+  add_threads_option(*verb, arguments->options.threads);
+  add_report_options(*verb, arguments->outputs);
   verb->callback([arguments, &exit_code] {
     exit_code = refusing_with_3([&] { return interruptibly([&] { return run_mitsuba(*arguments); }); });
   });
