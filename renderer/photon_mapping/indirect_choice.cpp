@@ -135,16 +135,12 @@ IndirectPilots::IndirectPilots(const PhotonSource& source, const PhotonMaps& map
       stats_(stats),
       settings_(camera_path_settings(source.settings, plan)),
       ray_(plan.scene.small ? ray_by_brute_force : ray_elsewhere),
-      caustics_(maps.caustic.wanted) {
+      caustics_(maps.caustic.wanted),
+      tracer_(source_, settings_, window_, pilot_camera_paths) {
   const PhaseTimer phase(stats.phases["pilot"]);
   if (caustics_) brightest_ = brightest_light(source.scene, source.job.seed);
-  trace_without_photons();
-}
-
-void IndirectPilots::trace_without_photons() {
-  tracer_.emplace(source_, settings_, window_, pilot_camera_paths);
-  direct_ = tracer_->trace(policy_of_maps(source_.scene, settings_));
-  if (!caustics_) beside_ = tracer_->trace(PathPolicy::path_tracing);
+  direct_ = tracer_.trace(policy_of_maps(source_.scene, settings_));
+  if (!caustics_) beside_ = tracer_.trace(PathPolicy::path_tracing);
 }
 
 /// A few bright samples may be all that a pilot knows of the variance that a method adds. Then that has a standard
@@ -219,8 +215,8 @@ void IndirectPilots::trace_beside_photons() {
   rough_radius_ = maps_.caustic.radii.radius;
   map.build(std::move(copy), rough_radius_, source_.threads);
   const PathPilot::CausticMap caustics{map, rough_radius_};
-  beside_ = tracer_->trace(PathPolicy::beside_caustic_map, &caustics);
-  if (std::isfinite(brightest_)) alone_ = tracer_->trace(PathPolicy::path_tracing);
+  beside_ = tracer_.trace(PathPolicy::beside_caustic_map, &caustics);
+  if (std::isfinite(brightest_)) alone_ = tracer_.trace(PathPolicy::path_tracing);
 }
 
 double IndirectPilots::time_of_photons(const MapState& map, double rays_a_photon) const {

@@ -5,20 +5,19 @@
 //   path tracing   `relmse V/S`.
 //   the maps       `relmse V/S + E(N)`, where E is the error of the best radius with N photons in all
 //   (radius_trials.h).
-// E is at least, and where no radii were tried, `3/2 i^2 / M` with `M = 700 (N / 1e6)^(2/3)`. Trials leave out the
-// error of the caustic map. The term i^2 is the indirect part of the
-// image's square; M is the number of photons in a disc. A gather's variance is 1/M, and its squared bias half of that
-// at the best radius (gather_bias.h). So maps win early, path tracing late, and the requested error, samples or time
-// decide.
+// E is at least `3/2 i^2 / M` with `M = 700 (N / 1e6)^(2/3)`. Where no radii were tried it is just that; trials leave
+// out the error of the caustic map. The term i^2 is the indirect part of the image's square, and M the number of
+// photons in a disc. A gather's variance is 1/M, and its squared bias half of that at the best radius (gather_bias.h).
+// So maps win early, path tracing late, and the requested error, samples or time decide.
 //
 // A wrong choice of paths costs a hundred times as much as one of maps, since rare bright samples may be missing from a
 // pilot. So the choice leans to the maps:
 //   - Path tracing alone finds caustics by rays that happen to meet lights. Its value of such a path is at most w B,
 //     with the brightest radiance B and the part w that surfaces let through. So a caustic of light EX has
-//     `E X^2 <= w B EX`. Caustic photons tell EX. Light that they have and the pilot's paths have not found adds that
-//     much to V.
-//   - What a method adds to the variance of all is relative to other pixels, and has a standard error more where a few
-//     pixels carry it (path_pilot.h). Of the maps' own variance, a part that one pixel may carry by chance is left out.
+//     `E X^2 <= w B EX`. Caustic photons tell EX. V grows by that much for the light that the photons have and the
+//     pilot's paths have not found.
+//   - The variance that a method adds is relative to other pixels. Where a few pixels carry it, it has a standard error
+//     more (path_pilot.h). The maps' own variance leaves out a part that one pixel may carry by chance.
 // Where no ray meets lights, the caustic map stays.
 //
 // Pilots cost time, too. Camera paths come first. Where there is no caustic, and even maps without any error of their
@@ -88,7 +87,6 @@ class IndirectPilots {
   double time_on_rough() const;
 
  private:
-  void trace_without_photons();
   double time_of_photons(const MapState& map, double rays_a_photon) const;
   double time_of_gathers(const MapState& map, const PointsBySurface& points, double each) const;
   WayOfLight way_of(const PilotImage& image, double nanoseconds) const;
@@ -103,7 +101,7 @@ class IndirectPilots {
   const PathSettings settings_;
   const double ray_;  ///< nanoseconds
   const bool caustics_;
-  std::optional<PathPilot> tracer_{};
+  PathPilot tracer_;
   PilotImage direct_{}, beside_{};
   std::optional<PilotImage> alone_{};  ///< with caustics, where rays meet lights
   double brightest_ = 0;               ///< light, with caustics

@@ -134,23 +134,33 @@ struct Piloted {
   double wide_area, narrow_area;           ///< prices of areas on the first surface, by the caustic map's radius
 };
 
+/// The photon mapper before its first photon.
+struct Mapper {
+  explicit Mapper(const SceneDescription& d)
+      : size(d.sensor.film.width),
+        scene(test::compiled(d, size, size)),
+        plan(plan_render(analyse(scene), with_integrator(d.integrator, "photonmapper"), job)) {}
+
+  const RenderJob job = free_job();
+  const int size;
+  const Scene scene;
+  const RenderPlan plan;
+  const PhotonSettings settings{plan.method, job};
+  const Threads threads{1};
+  const PhotonSource source{scene, settings, job, threads};
+  PhotonMaps maps{plan, source};
+  RenderStats stats;
+};
+
 /// Values of the pilots before radii are tried.
 Piloted piloted(const SceneDescription& d) {
-  const RenderJob job = free_job();
-  const int size = d.sensor.film.width;
-  const Scene scene = test::compiled(d, size, size);
-  const RenderPlan plan = plan_render(analyse(scene), with_integrator(d.integrator, "photonmapper"), job);
-  const PhotonSettings settings(plan.method, job);
-  const Threads threads(1);
-  const PhotonSource source{scene, settings, job, threads};
-  PhotonMaps maps(plan, source);
-  RenderStats stats;
-  IndirectPilots pilots(source, maps, plan, Tile{0, 0, size, size}, stats);
-  maps.choose_first_radii(source, stats);
+  Mapper mapper(d);
+  IndirectPilots pilots(mapper.source, mapper.maps, mapper.plan, Tile{0, 0, mapper.size, mapper.size}, mapper.stats);
+  mapper.maps.choose_first_radii(mapper.source, mapper.stats);
   pilots.trace_beside_photons();
-  const float radius = maps.caustic.radii.radius;
-  return {pilots.measured(), pilots.gathers_on_rough(), pilots.time_on_rough(), AreaPrices(scene, radius).of(0),
-          AreaPrices(scene, radius / 2).of(0)};
+  const float radius = mapper.maps.caustic.radii.radius;
+  return {pilots.measured(), pilots.gathers_on_rough(), pilots.time_on_rough(), AreaPrices(mapper.scene, radius).of(0),
+          AreaPrices(mapper.scene, radius / 2).of(0)};
 }
 
 /// Ground, of hills or flat.
@@ -239,22 +249,15 @@ TEST(indirect_choice, bounds_the_variance_of_caustics_that_paths_rarely_find) {
 
 // A path that goes on from a grey floor brings back half of the light it finds, whatever way it came.
 TEST(path_pilot, tells_what_part_of_a_caustic_a_path_can_bring_back) {
-  const SceneDescription d = floor_below_glass(1e4, 0.01);
-  const RenderJob job = free_job();
-  const Scene scene = test::compiled(d, 32, 32);
-  const RenderPlan plan = plan_render(analyse(scene), with_integrator(d.integrator, "photonmapper"), job);
-  const PhotonSettings settings(plan.method, job);
-  const Threads threads(1);
-  const PhotonSource source{scene, settings, job, threads};
-  PhotonMaps maps(plan, source);
-  RenderStats stats;
-  maps.choose_first_radii(source, stats);
+  Mapper mapper(floor_below_glass(1e4, 0.01));
+  MapState& caustic = mapper.maps.caustic;
+  mapper.maps.choose_first_radii(mapper.source, mapper.stats);
   PhotonMap map;
-  map.build(std::move(maps.caustic.pilot), maps.caustic.radii.radius, threads);
-  const PathSettings paths = camera_path_settings(settings, plan);
-  const PathPilot::CausticMap caustics{map, maps.caustic.radii.radius};
+  map.build(std::move(caustic.pilot), caustic.radii.radius, mapper.threads);
+  const PathSettings paths = camera_path_settings(mapper.settings, mapper.plan);
+  const PathPilot::CausticMap caustics{map, caustic.radii.radius};
   const PilotImage image =
-      PathPilot(source, paths, Tile{0, 0, 32, 32}, 1024).trace(PathPolicy::beside_caustic_map, &caustics);
+      PathPilot(mapper.source, paths, Tile{0, 0, 32, 32}, 1024).trace(PathPolicy::beside_caustic_map, &caustics);
   const CausticLight light = caustic_light(image, image, Where::all_pixels);
   ASSERT_GT(light.all, 0.01);
   EXPECT_NEAR(light.dimmed / light.all, 0.5, 0.02);
