@@ -153,10 +153,10 @@ void try_shifts(const Pictures& pictures, Best& best) {
       }
 }
 
-/// The one factor of all values that fits best.
-double gain_of(const Pictures& pictures) {
+/// The factor that fits the values of some channels best, beginning with `first`, each `step`-th.
+double gain_of(const Pictures& pictures, std::size_t first, std::size_t step) {
   double products = 0, squares = 0;
-  for (std::size_t i = 0; i < pictures.mean().rgb.size(); ++i) {
+  for (std::size_t i = first; i < pictures.mean().rgb.size(); i += step) {
     const double r = double{pictures.reference().rgb[i]}, x = double{pictures.mean().rgb[i]};
     const double weight = 1 / (r * r + x * x + 1e-4);
     products += weight * r * x;
@@ -165,32 +165,49 @@ double gain_of(const Pictures& pictures) {
   return squares > 0 ? products / squares : 1;
 }
 
-std::optional<SeenFault> of_gain(const Pictures& pictures, double most) {
-  const double gain = gain_of(pictures);
-  if (std::abs(gain - 1) < least_gain) return std::nullopt;
+using Gains = std::array<double, 3>;  // of red, green and blue
+
+/// The squared difference that the gains leave.
+double unlike_scaled(const Pictures& pictures, const Gains& gains) {
   Image scaled = pictures.reference();
-  for (float& value : scaled.rgb) value = static_cast<float>(gain * double{value});
-  if (pictures.unlike(scaled) >= most) return std::nullopt;
-  return SeenFault{fmt::format("the image is {} by {:.2g} %, everywhere by the same factor",
-                               gain < 1 ? "darker" : "brighter", 100 * std::abs(gain - 1)),
+  for (std::size_t i = 0; i < scaled.rgb.size(); ++i)
+    scaled.rgb[i] = static_cast<float>(gains[i % 3] * double{scaled.rgb[i]});
+  return pictures.unlike(scaled);
+}
+
+/// One gain of all channels, else one of each channel, that leaves less than `most` of the squared difference.
+std::optional<SeenFault> of_gain(const Pictures& pictures, double most) {
+  constexpr const char* by_factor = "everywhere by the same factor";
+  const double gain = gain_of(pictures, 0, 1);
+  if (std::abs(gain - 1) >= least_gain && unlike_scaled(pictures, {gain, gain, gain}) < most)
+    return SeenFault{fmt::format("the image is {} by {:.2g} %, {}", gain < 1 ? "darker" : "brighter",
+                                 100 * std::abs(gain - 1), by_factor),
+                     true};
+  const Gains gains{gain_of(pictures, 0, 3), gain_of(pictures, 1, 3), gain_of(pictures, 2, 3)};
+  if (std::ranges::none_of(gains, [](double g) { return std::abs(g - 1) >= least_gain; })) return std::nullopt;
+  if (std::ranges::any_of(gains, [](double g) { return g <= 0; }) || unlike_scaled(pictures, gains) >= most)
+    return std::nullopt;
+  const auto percent = [](double g) { return std::round(1000 * (g - 1)) / 10 + 0.0; };  // + 0.0: never "-0.0"
+  return SeenFault{fmt::format("the channels are scaled apart: R {:+.1f} %, G {:+.1f} %, B {:+.1f} %, {}",
+                               percent(gains[0]), percent(gains[1]), percent(gains[2]), by_factor),
                    true};
 }
 
-/// Whether the channels lost or gained about the same share of their light. One that is wrong alone is no missing
-/// light.
+/// Whether every channel lost or gained light, and none lost or gained less than a quarter of another's share. A light
+/// may have a colour, but a channel that is wrong alone is no missing light.
 bool channels_agree(const Pictures& pictures) {
-  constexpr double most_apart = 0.1;
-  std::array<double, 3> shares{};
+  constexpr double least_of_most = 0.25;
+  std::array<double, 3> changes{};
   for (std::size_t c = 0; c < 3; ++c) {
     double light = 0, found = 0;
     for (std::size_t i = c; i < pictures.mean().rgb.size(); i += 3) {
       light += double{pictures.reference().rgb[i]};
       found += double{pictures.mean().rgb[i]};
     }
-    shares[c] = light > 0 ? found / light : 1;
+    changes[c] = light > 0 ? found / light - 1 : 0;
   }
-  const auto [least, most] = std::ranges::minmax(shares);
-  return most - least <= most_apart;
+  const auto [least, most] = std::ranges::minmax(changes);
+  return least > 0 ? least >= least_of_most * most : most < 0 && most <= least_of_most * least;
 }
 
 /// Blocks that are darker and nearly none that is brighter: light is missing. The reverse is light that should not be

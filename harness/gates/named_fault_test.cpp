@@ -7,6 +7,7 @@
 #include <cmath>
 #include <functional>
 #include <random>
+#include <regex>
 #include <string>
 #include <vector>
 
@@ -87,9 +88,29 @@ TEST(NamedFault, one_factor_is_no_missing_light) {
             "there is light too much: 33 % of all blocks are brighter, none is darker");
 }
 
+// A bluish light of a part of the picture: red loses a third of what blue loses.
+TEST(NamedFault, a_light_with_a_colour_that_is_missing_is_named) {
+  const auto without = [](double red, double green, double blue) {
+    return name_of([=](int x, int y, int c) {
+      const double share = c == 0 ? red : c == 1 ? green : blue;
+      return light(x, y, c) * (x < 20 ? 1 - share : 1);
+    });
+  };
+  EXPECT_EQ(without(0.3, 0.6, 0.9), "light is missing: 50 % of all blocks are darker, none is brighter");
+  EXPECT_EQ(without(0, 0, 0.9), "") << "a channel that is wrong alone";
+  EXPECT_EQ(without(0.1, 0.9, 0.9), "") << "red loses less than a quarter of what blue loses";
+}
+
+TEST(NamedFault, channels_that_are_scaled_apart_are_named_with_their_gains) {
+  const std::string name = name_of([](int x, int y, int c) { return light(x, y, c) * (c == 0 ? 0.55 : 1.1); });
+  EXPECT_TRUE(std::regex_match(
+      name, std::regex(R"(the channels are scaled apart: R -(45\.0|44\.9|45\.1) %, G \+(9\.9|10\.[01]) %, )"
+                       R"(B \+(9\.9|10\.[01]) %, everywhere by the same factor)")))
+      << name;
+}
+
 // Half of the blocks are brighter and half darker, as by no change that has a name.
 TEST(NamedFault, a_difference_without_a_name_gets_none) {
-  EXPECT_EQ(name_of([](int x, int y, int c) { return light(x, y, c) * (c == 0 ? 0.55 : 1); }), "") << "one channel";
   EXPECT_EQ(name_of([](int x, int y, int c) { return light(x, y, c) * (x % 16 < 8 ? 0.7 : 1.3); }), "");
 }
 
