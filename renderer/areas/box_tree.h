@@ -22,26 +22,46 @@ class BoxTree {
   /// `order` becomes the number of the part at each place. Parts near each other have neighbouring places.
   BoxTree(const std::vector<Part>& parts, std::vector<std::uint32_t>& order);
 
-  /// Calls visit(place) for all parts of the leaves whose boxes reach within `radius` of p.
-  template <class Visit>
-  void visit_near(const Vec3f& p, float radius, const Visit& visit) const {
+  /// Whether test(place) is true for some part of the leaves whose boxes meet a region; the search ends at the first.
+  /// `meets(const ShapeBox&)` says whether a box meets it, and must be true of every box around one that does.
+  template <class Meets, class Test>
+  bool any_of(const Meets& meets, const Test& test) const {
     std::array<std::uint32_t, 64> waiting;
     std::size_t count = 0;
     if (!nodes_.empty()) waiting[count++] = 0;
     while (count > 0) {
       const std::uint32_t here = waiting[--count];
       const Node& node = nodes_[here];
-      const Vec3f nearest{std::clamp(p.x, node.box.low.x, node.box.high.x),
-                          std::clamp(p.y, node.box.low.y, node.box.high.y),
-                          std::clamp(p.z, node.box.low.z, node.box.high.z)};
-      if (length_squared(nearest - p) > radius * radius) continue;
+      if (!meets(node.box)) continue;
       if (node.right != 0) {
         waiting[count++] = node.right;
         waiting[count++] = here + 1;
         continue;
       }
-      for (std::uint32_t place = node.begin; place < node.end; ++place) visit(place);
+      for (std::uint32_t place = node.begin; place < node.end; ++place)
+        if (test(place)) return true;
     }
+    return false;
+  }
+
+  /// Calls visit(place) for all parts of the leaves whose boxes meet a region.
+  template <class Meets, class Visit>
+  void visit(const Meets& meets, const Visit& visit) const {
+    any_of(meets, [&](std::uint32_t place) {
+      visit(place);
+      return false;
+    });
+  }
+
+  /// The same for the ball about p.
+  template <class Visit>
+  void visit_near(const Vec3f& p, float radius, const Visit& to_visit) const {
+    const auto is_near = [&](const ShapeBox& box) {
+      const Vec3f nearest{std::clamp(p.x, box.low.x, box.high.x), std::clamp(p.y, box.low.y, box.high.y),
+                          std::clamp(p.z, box.low.z, box.high.z)};
+      return !(length_squared(nearest - p) > radius * radius);
+    };
+    visit(is_near, to_visit);
   }
 
   std::size_t memory_bytes() const { return nodes_.capacity() * sizeof(Node); }

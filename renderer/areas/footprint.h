@@ -10,6 +10,7 @@
 #include "renderer/shapes/circle_area.h"
 #include "renderer/shapes/plane.h"
 #include "renderer/shapes/quad.h"
+#include "renderer/shapes/shape.h"
 #include "renderer/shapes/sphere.h"
 
 namespace photonproof::inline renderer_areas {
@@ -44,6 +45,8 @@ class Footprint {
   /// Area of the intersection with the disc about p in the shape's plane.
   double in_disc(const Vec3d& p, double radius) const;
   double area() const;
+  /// Around all points from which a disc of radius 0 could meet it.
+  ShapeBox box() const { return padded_box(middle_ - Vec3d(reach_), middle_ + Vec3d(reach_)); }
   bool overlaps(const Footprint& other) const;
 
  private:

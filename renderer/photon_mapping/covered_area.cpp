@@ -1,11 +1,11 @@
 #include "renderer/photon_mapping/covered_area.h"
 
-#include <algorithm>
 #include <array>
 #include <optional>
 #include <utility>
 #include <variant>
 
+#include "renderer/areas/solid_search.h"
 #include "scenes/description/overloaded.h"
 
 namespace photonproof::inline renderer_photon_mapping {
@@ -13,9 +13,8 @@ namespace {
 
 /// Smallest uncovered area, in squared radii: a disc with less left is a rounding error.
 constexpr double least_left = 1e-4;
-/// Limit of pairs, as every flat surface is tested with every solid. Larger scenes are seen from so far that footprints
-/// are small.
-constexpr std::size_t pairs_worth_testing = 1'000'000;
+/// Limit of a scene's footprints, each of up to 3 kB. Scenes with more are seen from so far that footprints are small.
+constexpr std::size_t most_footprints = 100'000;
 
 struct PlacedSolid {
   Solid solid;
@@ -29,19 +28,11 @@ bool is_opaque(const SceneParts& scene, std::size_t surface) {
                                [](const Bsdf& leaf, bool) { return lets_light_through(leaf); });
 }
 
-/// Whether the solid contains a light, in box tests. True where it contains a corner or the middle of the box around a
-/// light, or that box contains the solid's middle.
-bool holds_light(const SceneParts& scene, const Solid& solid) {
-  return std::ranges::any_of(scene.lights, [&](const Light& light) {
-    const std::optional<LightBounds> box = light_bounds(light);
-    if (!box) return false;
-    const Vec3d low(box->low), high(box->high), m = solid.middle;
-    const bool around = m.x > low.x && m.x < high.x && m.y > low.y && m.y < high.y && m.z > low.z && m.z < high.z;
-    if (around || solid.holds((low + high) / 2)) return true;
-    for (int i = 0; i < 8; ++i)
-      if (solid.holds({i & 1 ? high.x : low.x, i & 2 ? high.y : low.y, i & 4 ? high.z : low.z})) return true;
-    return false;
-  });
+std::vector<ShapeBox> boxes_of(const std::vector<Light>& lights) {
+  std::vector<ShapeBox> boxes;
+  for (const Light& light : lights)
+    if (const std::optional<LightBounds> bounds = light_bounds(light)) boxes.push_back({bounds->low, bounds->high});
+  return boxes;
 }
 
 /// The solid of a single shape. Cubes are made of six surfaces.
@@ -59,8 +50,9 @@ std::optional<Solid> solid_of(const Geometry& geometry) {
 
 std::vector<PlacedSolid> solids_of(const SceneParts& scene) {
   std::vector<PlacedSolid> solids;
+  const HeldBoxes lights(boxes_of(scene.lights));
   const auto add = [&](const std::optional<Solid>& solid, std::size_t first, std::size_t count) {
-    if (solid && is_opaque(scene, first) && !holds_light(scene, *solid)) solids.push_back({*solid, first, count});
+    if (solid && is_opaque(scene, first) && !lights.any_in(*solid)) solids.push_back({*solid, first, count});
   };
   for (const std::size_t first : scene.cubes) {
     std::array<const Quad*, 6> sides{};
@@ -84,37 +76,53 @@ std::optional<Footprint> footprint(const Solid& solid, const Geometry& geometry)
       geometry);
 }
 
-/// Area that two footprints cover must count once: of overlapping footprints only the largest stays.
-void keep_apart(std::vector<Footprint>& footprints) {
-  std::ranges::stable_sort(footprints, std::ranges::greater{}, [](const Footprint& f) { return f.area(); });
-  std::vector<Footprint> apart;
-  for (const Footprint& f : footprints)
-    if (std::ranges::none_of(apart, [&](const Footprint& larger) { return f.overlaps(larger); })) apart.push_back(f);
-  footprints = std::move(apart);
+std::optional<FlatBounds> flat_bounds(const Geometry& geometry) {
+  if (const auto* quad = std::get_if<Quad>(&geometry)) return FlatBounds(*quad);
+  if (const auto* plane = std::get_if<renderer_shapes::Plane>(&geometry)) return FlatBounds(*plane);
+  return std::nullopt;
+}
+
+SolidTree tree_of(const std::vector<PlacedSolid>& placed) {
+  std::vector<Solid> solids;
+  solids.reserve(placed.size());
+  for (const PlacedSolid& p : placed) solids.push_back(p.solid);
+  return SolidTree(solids);
 }
 
 }  // namespace
 
-CoveredAreas::CoveredAreas(const SceneParts& scene) : front_(scene.surfaces.size()), back_(scene.surfaces.size()) {
+CoveredAreas::CoveredAreas(const SceneParts& scene) {
   const std::vector<PlacedSolid> solids = solids_of(scene);
-  if (solids.size() * scene.surfaces.size() > pairs_worth_testing) return;
+  if (solids.empty()) return;
+  const SolidTree tree = tree_of(solids);
+  part_of_.assign(scene.surfaces.size(), {no_index, no_index});
+  std::size_t total = 0;
   for (std::size_t i = 0; i < scene.surfaces.size(); ++i) {
-    for (const PlacedSolid& placed : solids) {
-      if (placed.has(i)) continue;
-      const std::optional<Footprint> found = footprint(placed.solid, scene.surfaces[i].geometry);
+    const std::optional<FlatBounds> flat = flat_bounds(scene.surfaces[i].geometry);
+    if (!flat) continue;
+    std::array<std::vector<Footprint>, 2> sides;
+    for (const std::uint32_t number : tree.near_flat(*flat)) {
+      if (solids[number].has(i)) continue;
+      const std::optional<Footprint> found = footprint(solids[number].solid, scene.surfaces[i].geometry);
       if (!found) continue;
-      if (found->covers(false)) front_[i].push_back(*found);
-      if (found->covers(true)) back_[i].push_back(*found);
+      for (const bool behind : {false, true})
+        if (found->covers(behind)) sides[behind ? 1 : 0].push_back(*found);
+      if (++total <= most_footprints) continue;
+      part_of_.clear();
+      parts_.clear();
+      return;
     }
-    keep_apart(front_[i]);
-    keep_apart(back_[i]);
+    for (std::size_t side = 0; side < sides.size(); ++side) {
+      if (sides[side].empty()) continue;
+      part_of_[i][side] = static_cast<std::uint32_t>(parts_.size());
+      parts_.emplace_back(std::move(sides[side]));
+    }
   }
 }
 
-float CoveredAreas::left_of(const std::vector<Footprint>& covered, float area, const GatherPoint& point, float radius) {
-  double left = static_cast<double>(area);
+float CoveredAreas::left_of(const CoveredPart& part, float area, const GatherPoint& point, float radius) {
   const double least = least_left * static_cast<double>(radius) * static_cast<double>(radius);
-  for (const Footprint& f : covered) left -= f.in_disc(Vec3d(point.p), static_cast<double>(radius));
+  const double left = part.left_of(static_cast<double>(area), Vec3d(point.p), static_cast<double>(radius));
   return left > least ? static_cast<float>(left) : 0.0f;
 }
 
