@@ -11,6 +11,11 @@ float coordinate(const Vec3f& v, int axis) { return axis == 0 ? v.x : axis == 1 
 
 }  // namespace
 
+BoxTree::Part part_of_box(const ShapeBox& box) {
+  const Vec3f middle = box.low * 0.5f + box.high * 0.5f;
+  return {box, is_finite(middle) ? middle : Vec3f(0.0f)};
+}
+
 BoxTree::BoxTree(const std::vector<Part>& parts, std::vector<std::uint32_t>& order) {
   order.resize(parts.size());
   std::iota(order.begin(), order.end(), 0u);

@@ -11,6 +11,12 @@
 
 namespace photonproof::inline renderer_areas {
 
+/// Whether the boxes have a common point. An empty box has none.
+inline bool boxes_meet(const ShapeBox& a, const ShapeBox& b) {
+  const auto along = [&](float Vec3f::*axis) { return a.low.*axis <= b.high.*axis && b.low.*axis <= a.high.*axis; };
+  return along(&Vec3f::x) && along(&Vec3f::y) && along(&Vec3f::z);
+}
+
 class BoxTree {
  public:
   struct Part {
@@ -77,5 +83,8 @@ class BoxTree {
 
   std::vector<Node> nodes_;
 };
+
+/// A part that is no more than its box. Empty boxes, whose middles are undefined, are split as if at the origin.
+BoxTree::Part part_of_box(const ShapeBox& box);
 
 }  // namespace photonproof::inline renderer_areas

@@ -17,10 +17,13 @@ class CoveredPart {
 
   /// `area` less what footprints cover of the disc about p in the shape's plane; below 0 where rounding leaves that.
   double left_of(double area, const Vec3d& p, double radius) const;
-  std::size_t footprints() const { return footprints_.size(); }
+  /// The footprints, from the largest on.
+  const std::vector<Footprint>& footprints() const { return footprints_; }
+  /// Numbers of the footprints that the disc may meet, in ascending order: sums over them have one order and one value.
+  std::vector<std::uint32_t> near(const Vec3d& p, double radius) const;
 
  private:
-  std::vector<Footprint> footprints_;  ///< from the largest on
+  std::vector<Footprint> footprints_;
   std::vector<std::uint32_t> number_;  ///< of the footprint at each place in the tree
   BoxTree tree_;
 };

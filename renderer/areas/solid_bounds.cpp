@@ -40,11 +40,6 @@ ShapeBox everywhere() {
 
 }  // namespace
 
-bool boxes_meet(const ShapeBox& a, const ShapeBox& b) {
-  const auto along = [&](float Vec3f::*axis) { return a.low.*axis <= b.high.*axis && b.low.*axis <= a.high.*axis; };
-  return along(&Vec3f::x) && along(&Vec3f::y) && along(&Vec3f::z);
-}
-
 SolidBounds::SolidBounds(const Solid& solid) : middle_(solid.middle), radius_(widened(solid, solid.radius)) {
   const Vec3d reach{widened(solid, solid.reach_along({1, 0, 0})), widened(solid, solid.reach_along({0, 1, 0})),
                     widened(solid, solid.reach_along({0, 0, 1}))};

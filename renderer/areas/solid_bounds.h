@@ -5,12 +5,10 @@
 #include <array>
 #include <cstddef>
 
+#include "renderer/areas/box_tree.h"
 #include "renderer/areas/footprint.h"
 
 namespace photonproof::inline renderer_areas {
-
-/// Whether the boxes have a common point. An empty box has none.
-bool boxes_meet(const ShapeBox& a, const ShapeBox& b);
 
 class SolidBounds {
  public:

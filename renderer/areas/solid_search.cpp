@@ -5,14 +5,10 @@
 namespace photonproof::inline renderer_areas {
 namespace {
 
-/// Parts for a tree of these boxes. Empty boxes, whose middles are undefined, stand at the origin.
 std::vector<BoxTree::Part> parts_of(const std::vector<ShapeBox>& boxes) {
   std::vector<BoxTree::Part> parts;
   parts.reserve(boxes.size());
-  for (const ShapeBox& box : boxes) {
-    const Vec3f middle = box.low * 0.5f + box.high * 0.5f;
-    parts.push_back({box, is_finite(middle) ? middle : Vec3f(0.0f)});
-  }
+  for (const ShapeBox& box : boxes) parts.push_back(part_of_box(box));
   return parts;
 }
 

@@ -3,9 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <optional>
 #include <set>
 #include <utility>
+#include <vector>
+
+#include "renderer/areas/box_tree.h"
 
 namespace photonproof::inline renderer_limits {
 namespace {
@@ -39,7 +43,7 @@ class Faces {
       else if (std::holds_alternative<CubeDescription>(shape.geometry))
         add_cube(i, to_world);
     }
-    std::sort(all.begin(), all.end(), [](const Face& a, const Face& b) { return a.low_x < b.low_x; });
+    std::ranges::stable_sort(all, {}, &Face::low_x);  // so that a pair is found in one order among any other shapes
   }
 
   std::vector<Face> all;  ///< by low_x
@@ -104,16 +108,114 @@ std::optional<double> apart_of_plates(const Face& a, const Face& b) {
   return overlap ? std::optional(apart) : std::nullopt;
 }
 
+/// Boxes in which close faces meet. Those of plates are the boxes around them. Those of balls are points that depend on
+/// middle and radius. Two such points are no further apart along an axis than `apart_of_balls`, and along all three
+/// only concentric balls of one radius have the same. `scale` brings the description's lengths to those of the scene,
+/// which single precision holds.
+ShapeBox box_of(const Face& face, double scale) {
+  Vec3d low, high;
+  if (face.is_ball) {
+    low = high = face.at + Vec3d(0.3712, 0.4871, 0.7906) * face.radius;
+  } else {
+    low = high = face.at;
+    for (const Vec3d& p : corners(face)) {
+      low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+      high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+    }
+  }
+  return padded_box((low - Vec3d(face.resolved)) * scale, (high + Vec3d(face.resolved)) * scale);
+}
+
+/// Whether a face in a box may be close to a plate, as in `apart_of_plates`: the box reaches its plane, and lies over a
+/// part of it.
+class OverPlate {
+ public:
+  OverPlate(const Face& plate, double scale) : at_(plate.at * scale), slack_(plate.resolved * scale) {
+    const Vec3d u = plate.edge_u * scale, v = plate.edge_v * scale, across = cross(u, v);
+    const double area = length(across);
+    if (!(area > 0)) return;
+    has_area_ = true;
+    normal_ = across * (1 / area);
+    // u = dot(cross(p - at, edge_v), normal) / area, and v with the other edge.
+    along_u_ = cross(v, normal_) * (1 / area);
+    along_v_ = cross(normal_, u) * (1 / area);
+  }
+
+  bool operator()(const ShapeBox& box) const {
+    const Vec3d middle = (Vec3d(box.low) + Vec3d(box.high)) / 2, half = Vec3d(box.high) - middle;
+    const auto reach = [&](const Vec3d& axis) {
+      return std::abs(axis.x) * half.x + std::abs(axis.y) * half.y + std::abs(axis.z) * half.z;
+    };
+    const double u = dot(middle - at_, along_u_), v = dot(middle - at_, along_v_);
+    const double reach_u = reach(along_u_) + room, reach_v = reach(along_v_) + room;
+    return has_area_ && std::abs(dot(middle - at_, normal_)) <= reach(normal_) + slack_ && u - reach_u < 1 &&
+           v - reach_v < 1 && u + reach_u > 0 && v + reach_v > 0;
+  }
+
+ private:
+  static constexpr double room = 1e-9;  ///< for rounding
+  Vec3d at_, normal_{0.0}, along_u_{0.0}, along_v_{0.0};
+  double slack_;
+  bool has_area_ = false;
+};
+
+/// Finds the faces that may be close to one.
+class CloseSearch {
+ public:
+  CloseSearch(const std::vector<Face>& faces, double scale) : faces_(faces), scale_(scale) {
+    for (const bool balls : {false, true}) {
+      Kind& kind = balls ? balls_ : plates_;
+      std::vector<BoxTree::Part> parts;
+      for (std::uint32_t i = 0; i < faces.size(); ++i) {
+        if (faces[i].is_ball != balls) continue;
+        kind.faces.push_back(i);
+        parts.push_back(part_of_box(box_of(faces[i], scale)));
+      }
+      std::vector<std::uint32_t> order;
+      kind.tree = BoxTree(parts, order);
+      for (std::uint32_t& place : order) place = kind.faces[place];
+      kind.faces = std::move(order);
+    }
+  }
+
+  /// Numbers above i, in ascending order.
+  std::vector<std::uint32_t> after(std::uint32_t i) const {
+    std::vector<std::uint32_t> found;
+    const Kind& kind = faces_[i].is_ball ? balls_ : plates_;
+    const auto visit = [&](std::uint32_t place) {
+      if (kind.faces[place] > i) found.push_back(kind.faces[place]);
+    };
+    if (faces_[i].is_ball)
+      kind.tree.visit([here = box_of(faces_[i], scale_)](const ShapeBox& box) { return boxes_meet(here, box); }, visit);
+    else
+      kind.tree.visit(OverPlate(faces_[i], scale_), visit);
+    std::ranges::sort(found);
+    return found;
+  }
+
+ private:
+  struct Kind {
+    std::vector<std::uint32_t> faces;  ///< by place in the tree
+    BoxTree tree;
+  };
+  const std::vector<Face>& faces_;
+  double scale_;
+  Kind plates_, balls_;
+};
+
 }  // namespace
 
-std::vector<CloseFaces> close_faces_of_glass(const SceneDescription& description, const SceneFrame& frame) {
+std::vector<CloseFaces> close_faces_of_glass(const SceneDescription& description, const SceneFrame& frame,
+                                             std::size_t* compared) {
   const std::vector<Face> faces = Faces(description, frame).all;
   std::vector<CloseFaces> found;
   std::set<std::pair<std::size_t, std::size_t>> known;
-  for (std::size_t i = 0; i < faces.size(); ++i)
-    for (std::size_t j = i + 1; j < faces.size() && faces[j].low_x <= faces[i].high_x + faces[i].resolved; ++j) {
+  const CloseSearch search(faces, frame.scale);
+  for (std::uint32_t i = 0; i < faces.size(); ++i)
+    for (const std::uint32_t j : search.after(i)) {
       const Face &a = faces[i], &b = faces[j];
-      if (a.shape == b.shape || a.is_ball != b.is_ball) continue;
+      if (compared != nullptr) ++*compared;
+      if (a.shape == b.shape || b.low_x > a.high_x + a.resolved) continue;
       const std::optional<double> apart = a.is_ball ? apart_of_balls(a, b) : apart_of_plates(a, b);
       const double resolved = std::max(a.resolved, b.resolved);
       const std::pair pair = std::minmax(a.shape, b.shape);

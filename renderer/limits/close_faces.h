@@ -22,6 +22,8 @@ struct CloseFaces {
 };
 
 /// Pairs among spheres, rectangles and cubes whose own BSDF is a dielectric; one pair of faces for every two shapes.
-std::vector<CloseFaces> close_faces_of_glass(const SceneDescription& description, const SceneFrame& frame);
+/// `compared`, where given, grows by the number of pairs of faces that were compared.
+std::vector<CloseFaces> close_faces_of_glass(const SceneDescription& description, const SceneFrame& frame,
+                                             std::size_t* compared = nullptr);
 
 }  // namespace photonproof::inline renderer_limits

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <numbers>
 #include <optional>
 
@@ -42,7 +43,7 @@ class LowLights {
 
   bool empty() const { return lights_.empty(); }
 
-  PlacesByX<LowLight> places() { return PlacesByX<LowLight>(lights_); }
+  PlaceTree<LowLight> places() { return PlaceTree<LowLight>(lights_); }
 
   void tell(std::vector<GrazingLight>& found) const {
     for (const LowLight& area_light : lights_)
@@ -88,7 +89,14 @@ class GrazingBeams {
   /// Lights this many times as far away as most lit surfaces count as beams.
   static constexpr double far_away = 256;
 
+  /// Before any surface is looked at.
   void add(std::size_t light, const Vec3d& direction) { beams_.push_back({direction, 0, {light, true, 0, 0}}); }
+  void arrange() {
+    std::vector<BoxTree::Part> parts;
+    parts.reserve(beams_.size());
+    for (const Beam& beam : beams_) parts.push_back(part_of_box(padded_box(beam.direction, beam.direction)));
+    tree_ = BoxTree(parts, order_);
+  }
   bool empty() const { return beams_.empty(); }
 
   void look_at(const Surface& surface) {
@@ -120,23 +128,36 @@ class GrazingBeams {
     GrazingLight worst;
   };
 
+  /// A tree over the directions leaves out beams that meet the face at larger angles. The rest lie around a great
+  /// circle, so that the search visits some square root of their number.
   void compare(const Vec3d& n, double area) {
     area_ += area;
-    for (Beam& beam : beams_) {
-      const Vec3d& d = beam.direction;
-      const double sine = std::abs(dot(n, d));
-      if (!(sine > 0)) continue;
-      const double lost = 2 * half_step * (std::abs(n.x * d.x) + std::abs(n.y * d.y) + std::abs(n.z * d.z));
-      if (!(lost > least_loss * sine)) continue;
-      beam.grazed += area;
-      if (lost / sine <= beam.worst.loss()) continue;
-      beam.worst.height = sine;
-      beam.worst.rounding = lost;
-    }
+    constexpr double largest_sine = 2 * half_step / least_loss;
+    const auto grazes = [&](const ShapeBox& directions) {
+      const Vec3d middle = (Vec3d(directions.low) + Vec3d(directions.high)) / 2;
+      const Vec3d half = Vec3d(directions.high) - middle;
+      const double reach = std::abs(n.x) * half.x + std::abs(n.y) * half.y + std::abs(n.z) * half.z;
+      return std::abs(dot(n, middle)) <= reach + 1.01 * largest_sine;
+    };
+    tree_.visit(grazes, [&](std::uint32_t place) { compare(beams_[order_[place]], n, area); });
+  }
+
+  static void compare(Beam& beam, const Vec3d& n, double area) {
+    const Vec3d& d = beam.direction;
+    const double sine = std::abs(dot(n, d));
+    if (!(sine > 0)) return;
+    const double lost = 2 * half_step * (std::abs(n.x * d.x) + std::abs(n.y * d.y) + std::abs(n.z * d.z));
+    if (!(lost > least_loss * sine)) return;
+    beam.grazed += area;
+    if (lost / sine <= beam.worst.loss()) return;
+    beam.worst.height = sine;
+    beam.worst.rounding = lost;
   }
 
   double reach_, area_ = 0;
   std::vector<Beam> beams_;
+  std::vector<std::uint32_t> order_;  ///< the beam at each place of the tree
+  BoxTree tree_;                      ///< over points on the unit sphere
 };
 
 }  // namespace
@@ -161,7 +182,8 @@ std::vector<GrazingLight> grazing_lights(const SceneParts& scene) {
   }
   std::vector<GrazingLight> found;
   if (area_lights.empty() && beams.empty()) return found;
-  const PlacesByX<LowLight> places = area_lights.places();
+  const PlaceTree<LowLight> places = area_lights.places();
+  beams.arrange();
   for (std::size_t i = 0; i < scene.surfaces.size(); ++i) {
     const Surface& surface = scene.surfaces[i];
     if (surface.light != no_index) continue;  // what it is lit by does not show beside its own light

@@ -42,7 +42,7 @@ template <class Counts>
 std::vector<NearLight> nearest_surfaces(const SceneParts& scene, std::vector<LightPlace> area_lights,
                                         const Counts& counts) {
   for (LightPlace& area_light : area_lights) area_light.nearest.height = std::numeric_limits<double>::infinity();
-  const PlacesByX<LightPlace> places(area_lights);
+  const PlaceTree<LightPlace> places(area_lights);
   for (std::size_t i = 0; i < scene.surfaces.size() && !places.empty(); ++i) {
     const Surface& surface = scene.surfaces[i];
     if (counts(surface))

@@ -1,9 +1,12 @@
 // The flat faces of a surface of any kind, and the surfaces near given places.
 #pragma once
 
-#include <algorithm>
+#include <cstdint>
+#include <type_traits>
+#include <variant>
 #include <vector>
 
+#include "renderer/areas/box_tree.h"
 #include "renderer/scene/nearest_point.h"
 #include "renderer/shapes/extent.h"
 #include "renderer/shapes/surface.h"
@@ -54,43 +57,44 @@ void for_each_face(const Surface& surface, Visit&& visit) {
   }
 }
 
-/// Places (`at`) and the surfaces no further from them than `within`, which does not change. Sorted by x, so that each
-/// face is compared with only a few of many places.
+/// Places (`at`) and the surfaces no further from them than `within`. Neither changes. A tree over the places finds the
+/// few that each face is compared with.
 template <class Place>
-class PlacesByX {
+class PlaceTree {
  public:
-  PlacesByX() = default;
-  explicit PlacesByX(std::vector<Place>& places) {
-    for (Place& place : places) {
-      furthest_ = std::max(furthest_, place.within);
-      by_x_.push_back(&place);
-    }
-    std::sort(by_x_.begin(), by_x_.end(), [](const Place* a, const Place* b) { return a->at.x < b->at.x; });
+  explicit PlaceTree(std::vector<Place>& places) {
+    std::vector<BoxTree::Part> parts;
+    parts.reserve(places.size());
+    for (const Place& place : places)
+      parts.push_back(part_of_box(padded_box(place.at - Vec3d(place.within), place.at + Vec3d(place.within))));
+    std::vector<std::uint32_t> order;
+    tree_ = BoxTree(parts, order);
+    places_.reserve(places.size());
+    for (const std::uint32_t i : order) places_.push_back(&places[i]);
   }
 
-  bool empty() const { return by_x_.empty(); }
+  bool empty() const { return places_.empty(); }
 
   /// Calls look(place, point, normal) where a shape's box (`around` for all) is near a place. The point is the nearest
   /// one of the shape, or of each of its flat faces. The normal has any length.
   template <class Look>
   void look_at(const Surface& surface, const ShapeBox& around, const Look& look) const {
-    PlacesByX near;
-    near.furthest_ = furthest_;
-    if (std::holds_alternative<Plane>(surface.geometry))
-      near.by_x_ = by_x_;
-    else
-      for_each_near({Vec3d(around.low), Vec3d(around.high)}, [&](Place& place) { near.by_x_.push_back(&place); });
-    if (near.empty()) return;
-    const auto look_at_shape = [&](const auto& shape) {
+    const Extent box{Vec3d(around.low), Vec3d(around.high)};
+    const auto look_at_shape = [&]<class Shape>(const Shape& shape) {
       if constexpr (requires(const Vec3d& to) { point_on(shape, to); }) {
-        for (Place* place : near.by_x_) {
-          const ShapePoint nearest = point_on(shape, place->at);
-          look(*place, Vec3d(nearest.p), Vec3d(nearest.normal));
-        }
+        const auto look_at_place = [&](Place& place) {
+          const ShapePoint nearest = point_on(shape, place.at);
+          look(place, Vec3d(nearest.p), Vec3d(nearest.normal));
+        };
+        if constexpr (std::is_same_v<Shape, Plane>)
+          for (Place* place : places_) look_at_place(*place);
+        else
+          for_each_near(box, look_at_place);
       } else {
+        if (!any_near(box)) return;
         for_each_face(surface, [&](const FlatFace& face) {
           const auto nearest = face.is_triangle ? nearest_on_triangle : nearest_on_parallelogram;
-          near.for_each_near(extent_of_face(face), [&](Place& place) {
+          for_each_near(extent_of_face(face), [&](Place& place) {
             look(place, nearest(place.at, face.corner, face.u, face.v), cross(face.u, face.v));
           });
         });
@@ -100,16 +104,33 @@ class PlacesByX {
   }
 
  private:
+  /// Whether test(place) is true for some place near the box.
+  template <class Test>
+  bool any_near(const Extent& box, const Test& test) const {
+    const auto meets = [&](const ShapeBox& other) {
+      const Vec3d low(other.low), high(other.high);
+      const auto along = [&](double Vec3d::*axis) {
+        return low.*axis <= box.high.*axis && box.low.*axis <= high.*axis;
+      };
+      return along(&Vec3d::x) && along(&Vec3d::y) && along(&Vec3d::z);
+    };
+    return tree_.any_of(meets, [&](std::uint32_t i) {
+      return comes_near(box, places_[i]->at, places_[i]->within) && test(*places_[i]);
+    });
+  }
+  bool any_near(const Extent& box) const {
+    return any_near(box, [](const Place&) { return true; });
+  }
   template <class Visit>
   void for_each_near(const Extent& box, const Visit& visit) const {
-    auto place = std::lower_bound(by_x_.begin(), by_x_.end(), box.low.x - furthest_,
-                                  [](const Place* p, double x) { return p->at.x < x; });
-    for (; place != by_x_.end() && (*place)->at.x <= box.high.x + furthest_; ++place)
-      if (comes_near(box, (*place)->at, (*place)->within)) visit(**place);
+    any_near(box, [&](Place& place) {
+      visit(place);
+      return false;
+    });
   }
 
-  std::vector<Place*> by_x_;
-  double furthest_ = 0;
+  std::vector<Place*> places_;  ///< in the tree's order
+  BoxTree tree_;
 };
 
 }  // namespace photonproof::inline renderer_limits
