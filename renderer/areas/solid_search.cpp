@@ -30,6 +30,11 @@ HeldBoxes::HeldBoxes(const std::vector<ShapeBox>& boxes) {
   for (const std::uint32_t i : order) boxes_.push_back(boxes[i]);
 }
 
+bool HeldBoxes::any_in(const Solid& solid) const {
+  const SolidBounds bounds(solid);
+  return any_near(bounds, [&](const ShapeBox& box) { return bounds.meets(box) && holds_part(solid, box); });
+}
+
 SolidTree::SolidTree(const std::vector<Solid>& solids) {
   std::vector<ShapeBox> boxes;
   boxes.reserve(solids.size());

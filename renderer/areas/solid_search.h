@@ -18,15 +18,12 @@ class HeldBoxes {
   explicit HeldBoxes(const std::vector<ShapeBox>& boxes);
 
   /// Whether `holds_part` is true of one of the boxes.
-  bool any_in(const Solid& solid) const {
-    return any_in(solid, [&](const ShapeBox& box) { return holds_part(solid, box); });
-  }
-  /// The same with another test, which must be false for boxes apart from the solid.
+  bool any_in(const Solid& solid) const;
+  /// Whether test(box) is true of one of the few boxes near the solid.
   template <class Test>
-  bool any_in(const Solid& solid, const Test& test) const {
-    const SolidBounds bounds(solid);
-    return tree_.any_of([&](const ShapeBox& box) { return bounds.meets(box); },
-                        [&](std::uint32_t place) { return bounds.meets(boxes_[place]) && test(boxes_[place]); });
+  bool any_near(const SolidBounds& solid, const Test& test) const {
+    return tree_.any_of([&](const ShapeBox& box) { return solid.meets(box); },
+                        [&](std::uint32_t place) { return test(boxes_[place]); });
   }
 
  private:

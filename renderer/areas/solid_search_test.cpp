@@ -75,28 +75,68 @@ TEST(solid_search, leaves_out_no_solid_with_a_footprint) {
   EXPECT_LT(candidates, pairs / 4);
 }
 
+TEST(solid_search, holds_what_has_a_corner_or_the_middle_in_it_or_is_around_its_middle) {
+  const Solid ball{{1, 2, 3}, {}, 0.5}, cube{{1, 2, 3}, {Vec3d(0.5, 0, 0), Vec3d(0, 0.5, 0), Vec3d(0, 0, 0.5)}, 0};
+  for (const Solid& solid : {ball, cube}) {
+    for (const float x : {-1.0f, 1.0f})
+      for (const float y : {-1.0f, 1.0f})
+        for (const float z : {-1.0f, 1.0f}) {
+          const Vec3f inner = Vec3f(1, 2, 3) + Vec3f(x, y, z) * 0.2f, outer = Vec3f(1, 2, 3) + Vec3f(x, y, z) * 3.0f;
+          ShapeBox corner;
+          corner.add(inner);
+          corner.add(outer);
+          EXPECT_TRUE(holds_part(solid, corner)) << x << y << z;
+        }
+    EXPECT_TRUE(holds_part(solid, {{1, 1, 3}, {1, 3, 3}})) << "the middle of a rod";
+    EXPECT_TRUE(holds_part(solid, {{0, 1.4f, 2}, {2, 9, 9}})) << "around it";
+    EXPECT_FALSE(holds_part(solid, {{0, 1.4f, 3.1f}, {2, 9, 9}})) << "beside its middle";
+    EXPECT_FALSE(holds_part(solid, {{1.6f, 2, 3}, {2, 3, 4}}));
+  }
+}
+
 TEST(solid_search, tests_a_few_boxes_for_each_solid_however_many_there_are) {
-  // A grid of balls, and a small box beside each: no ball holds one, so that no search ends early.
+  // A grid of balls and turned cubes, and a small box beside each: none holds one, so that no search ends early.
   const auto tests_with = [](int side) {
     std::vector<ShapeBox> boxes;
     std::vector<Solid> solids;
     for (int i = 0; i < side * side; ++i) {
       const Vec3d at(i % side, 0, i / side);
       solids.push_back({at, {}, 0.3});
-      boxes.push_back({Vec3f(at) + Vec3f(0.4f), Vec3f(at) + Vec3f(0.45f)});
+      solids.push_back({at, {Vec3d(0.2, 0, 0.2), Vec3d(-0.2, 0, 0.2), Vec3d(0, 0.3, 0)}, 0});
+      boxes.push_back({Vec3f(at) + Vec3f(0.4f, 0, 0.4f), Vec3f(at) + Vec3f(0.45f, 0.1f, 0.45f)});
     }
     const HeldBoxes search(boxes);
     std::size_t tests = 0;
-    for (const Solid& solid : solids)
-      search.any_in(solid, [&](const ShapeBox& box) {
+    for (const Solid& solid : solids) {
+      search.any_near(SolidBounds(solid), [&](const ShapeBox& box) {
         ++tests;
         return holds_part(solid, box);
       });
-    return static_cast<double>(tests);
+    }
+    return static_cast<double>(tests) / static_cast<double>(solids.size());
   };
-  const double few = tests_with(20), many = tests_with(40);
-  EXPECT_LE(few, 400);
-  EXPECT_LE(many, 1600);
+  const double few = tests_with(16), many = tests_with(32);
+  EXPECT_GT(few, 0);
+  EXPECT_LE(few, 8);
+  EXPECT_LE(many, few * 1.1);
+}
+
+TEST(solid_search, gives_a_flat_shape_the_solids_that_it_cuts_alone) {
+  // Rods in a grid, and a tile across each: 4 n solids take 4 times as many tests.
+  const auto near_with = [](int side) {
+    std::vector<Solid> solids;
+    for (int i = 0; i < side * side; ++i)
+      solids.push_back({Vec3d(i % side, 0, i / side), {Vec3d(0.2, 0, 0), Vec3d(0, 3, 0), Vec3d(0, 0, 0.2)}, 0});
+    const SolidTree tree(solids);
+    std::size_t near = 0;
+    for (int i = 0; i < side * side; ++i) {
+      const Vec3f corner(static_cast<float>(i % side) - 0.4f, 0, static_cast<float>(i / side) - 0.4f);
+      near += tree.near_flat(FlatBounds(Quad{corner, {0, 0, 0.8f}, {0.8f, 0, 0}, {0, 1, 0}, 0.64f})).size();
+    }
+    return near;
+  };
+  EXPECT_EQ(near_with(16), 256);
+  EXPECT_EQ(near_with(32), 1024);
 }
 
 TEST(solid_search, visits_a_number_of_boxes_that_grows_with_the_logarithm) {

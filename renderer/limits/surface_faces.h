@@ -107,13 +107,8 @@ class PlaceTree {
   /// Whether test(place) is true for some place near the box.
   template <class Test>
   bool any_near(const Extent& box, const Test& test) const {
-    const auto meets = [&](const ShapeBox& other) {
-      const Vec3d low(other.low), high(other.high);
-      const auto along = [&](double Vec3d::*axis) {
-        return low.*axis <= box.high.*axis && box.low.*axis <= high.*axis;
-      };
-      return along(&Vec3d::x) && along(&Vec3d::y) && along(&Vec3d::z);
-    };
+    const ShapeBox around = padded_box(box.low, box.high);
+    const auto meets = [&](const ShapeBox& other) { return boxes_meet(around, other); };
     return tree_.any_of(meets, [&](std::uint32_t i) {
       return comes_near(box, places_[i]->at, places_[i]->within) && test(*places_[i]);
     });
