@@ -1,4 +1,4 @@
-// What footprints on a flat shape cover, compared bit for bit with testing all of them.
+// Areas that footprints on a flat shape cover, compared bit for bit with testing all footprints.
 
 #include "renderer/areas/covered_part.h"
 
@@ -23,7 +23,7 @@ std::vector<Footprint> footprints_of(const std::vector<Solid>& solids) {
   return found;
 }
 
-/// Of overlapping footprints the largest, by all pairs.
+/// The largest of overlapping footprints, by all pairs.
 std::vector<Footprint> apart_by_pairs(std::vector<Footprint> found) {
   std::ranges::stable_sort(found, std::ranges::greater{}, [](const Footprint& f) { return f.area(); });
   std::vector<Footprint> apart;
