@@ -34,7 +34,7 @@ std::vector<Footprint> apart_by_pairs(std::vector<Footprint> found) {
 
 TEST(covered_part, is_the_same_number_as_from_all_footprints) {
   std::size_t covered = 0, kept = 0, all = 0;
-  for (std::uint64_t seed = 0; seed < 40; ++seed) {
+  for (std::uint64_t seed = 0; seed < 14; ++seed) {
     Random random(seed);
     std::vector<Solid> solids = test::random_solids(random, 10 + 10 * seed);
     for (Solid& solid : solids) solid.middle.y *= 0.1;
@@ -53,7 +53,7 @@ TEST(covered_part, is_the_same_number_as_from_all_footprints) {
       covered += expected < 3 ? 1 : 0;
     }
   }
-  EXPECT_GT(covered, 2000);
+  EXPECT_GT(covered, 400);
   EXPECT_LT(kept, all * 9 / 10) << "some overlap";
 }
 
