@@ -84,3 +84,11 @@ quietly() {
   fi
   tail -n 1 "$log"
 }
+
+# best_kernels: the value of PHOTONPROOF_KERNELS for this processor, as glibc's loader names its level; "all" where it
+# names none.
+best_kernels() {
+  local level
+  level=$(/lib64/ld-linux-x86-64.so.2 --help 2>/dev/null | sed -n 's/^ *x86-64-\(v[234]\) (supported.*/\1/p' | head -n 1)
+  echo "${level:-all}"
+}

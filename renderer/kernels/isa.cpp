@@ -11,34 +11,43 @@ namespace photonproof::inline renderer_kernels {
   extern const PhotonKernelEntry photon; \
   extern const GatherKernelEntry gather; \
   }
-PHOTONPROOF_ENTRIES(kernels_scalar)
-#if defined(__x86_64__)
-PHOTONPROOF_ENTRIES(kernels_v2)
-PHOTONPROOF_ENTRIES(kernels_v3)
-#if !defined(PHOTONPROOF_NO_V4)
 PHOTONPROOF_ENTRIES(kernels_v4)
-#endif
-#else
+PHOTONPROOF_ENTRIES(kernels_v3)
+PHOTONPROOF_ENTRIES(kernels_v2)
 PHOTONPROOF_ENTRIES(kernels_native)
-#endif
+PHOTONPROOF_ENTRIES(kernels_scalar)
 #undef PHOTONPROOF_ENTRIES
 
 namespace {
 
+#define PHOTONPROOF_ADD(isa, level) \
+  if (x86_64_level() >= level) list.push_back({#isa, kernels_##isa::path, kernels_##isa::photon, kernels_##isa::gather})
+
+/// CMakeLists.txt defines PHOTONPROOF_HAS_x for each instruction set x that PHOTONPROOF_KERNELS chose.
 std::vector<Kernels> kernels_of_this_processor() {
   std::vector<Kernels> list;
-#if defined(__x86_64__)
-#if !defined(PHOTONPROOF_NO_V4)
-  if (x86_64_level() >= 4) list.push_back({"v4", kernels_v4::path, kernels_v4::photon, kernels_v4::gather});
+#ifdef PHOTONPROOF_HAS_v4
+  PHOTONPROOF_ADD(v4, 4);
 #endif
-  if (x86_64_level() >= 3) list.push_back({"v3", kernels_v3::path, kernels_v3::photon, kernels_v3::gather});
-  list.push_back({"v2", kernels_v2::path, kernels_v2::photon, kernels_v2::gather});
-#else
-  list.push_back({"native", kernels_native::path, kernels_native::photon, kernels_native::gather});
+#ifdef PHOTONPROOF_HAS_v3
+  PHOTONPROOF_ADD(v3, 3);
 #endif
-  list.push_back({"scalar", kernels_scalar::path, kernels_scalar::photon, kernels_scalar::gather});
+#ifdef PHOTONPROOF_HAS_v2
+  PHOTONPROOF_ADD(v2, 0);
+#endif
+#ifdef PHOTONPROOF_HAS_native
+  PHOTONPROOF_ADD(native, 0);
+#endif
+#ifdef PHOTONPROOF_HAS_scalar
+  PHOTONPROOF_ADD(scalar, 0);
+#endif
+  if (list.empty())
+    throw InputError(
+        "this processor",
+        "it lacks the instructions that this program was built for; build again with PHOTONPROOF_KERNELS=all");
   return list;
 }
+#undef PHOTONPROOF_ADD
 
 }  // namespace
 
@@ -54,7 +63,7 @@ const Kernels& kernels_for(const std::string& isa) {
     if (isa == kernels.isa) return kernels;
     names += (names.empty() ? "" : ", ") + std::string(kernels.isa);
   }
-  throw InputError("--isa", "this processor has no '" + isa + "', it has: " + names);
+  throw InputError("--isa", "this program and processor have no '" + isa + "', they have: " + names);
 }
 
 }  // namespace photonproof::inline renderer_kernels

@@ -4,9 +4,11 @@
 
 namespace photonproof::inline scenes_base {
 
-#if defined(__x86_64__)
-/// 4, 3 or 2, for x86-64-v4, v3 or v2; everything is compiled for v2.
+/// 4, 3 or 2, for x86-64-v4, v3 or v2; everything is compiled for v2. 0 on other processors.
 inline int x86_64_level() {
+#if !defined(__x86_64__)
+  return 0;
+#else
   __builtin_cpu_init();
 #if defined(__clang__)  // has features, not levels (it builds the fuzzers)
   const bool v3 = __builtin_cpu_supports("avx2") != 0 && __builtin_cpu_supports("fma") != 0 &&
@@ -18,7 +20,7 @@ inline int x86_64_level() {
   const bool v3 = __builtin_cpu_supports("x86-64-v3") != 0, v4 = __builtin_cpu_supports("x86-64-v4") != 0;
 #endif
   return v3 && v4 ? 4 : v3 ? 3 : 2;
-}
 #endif
+}
 
 }  // namespace photonproof::inline scenes_base
