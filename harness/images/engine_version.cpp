@@ -13,11 +13,13 @@ std::string first_line(const std::string& text) {
   return first == std::string::npos ? std::string{} : text.substr(first, text.find_first_of("\r\n", first) - first);
 }
 
-/// "Cycles is not installed", and the reason that the command gives.
+/// "Cycles is not installed", and the reason that the command gives; the reason alone if it says the same.
 std::string absence_words(const Engine& engine, const ProcessOutcome& outcome) {
   const std::string name = engine.title.empty() ? engine.name : engine.title;
   const std::string reason = printable(first_line(outcome.standard_error));
-  return name + " is not installed" + (reason.empty() ? "" : ": " + reason);
+  const char* absent = " is not installed";
+  if (reason.find(absent) != std::string::npos) return reason;
+  return name + absent + (reason.empty() ? "" : ": " + reason);
 }
 
 }  // namespace

@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 struct ReadScene {
   RenderedScene scene;
   SceneDescription description;
-  std::string purpose;
+  std::string purpose, title;
 };
 
 fs::path file_of(const fs::path& given) { return fs::is_directory(given) ? given / "scene.xml" : given; }
@@ -55,7 +55,10 @@ ReadScene read_scene(const fs::path& given, const VerifyOptions& options) {
   FilmDescription& film = read.description.sensor.film;
   const std::string expect = expect_path_of(read.scene.file.string());
   if (fs::exists(expect)) read.scene.expect = read_expect(expect);
-  if (read.scene.expect) read.purpose = read.scene.expect->purpose;
+  if (read.scene.expect) {
+    read.purpose = read.scene.expect->purpose;
+    read.title = read.scene.expect->title;
+  }
   const auto [width, height] =
       options.width > 0 ? std::pair(options.width, options.height) : usual_size(read.scene.file, film);
   // A closed form describes the scene's whole own view.
@@ -123,6 +126,7 @@ VerifyRecord run_verify(VerifyOptions options) {
       scene.description = &read.description;
       record.scenes.push_back(verify_scene(renderer, scene, read.description, engines, record.probes));
       record.scenes.back().purpose = read.purpose;
+      record.scenes.back().title = read.title;
       record.seconds = timer.seconds();
       write_verify_record(record, file);
       if (options.ended) options.ended(record.scenes.back());

@@ -100,6 +100,7 @@ data race_data(const View& view, const RaceTable::Row& row, const std::vector<st
   item.set("href", scene_id(view, row.scene));
   item.set("at", row.at);
   item.set("reason", printable(row.undecided));
+  item.set("lead", row.lead.empty() ? undefined_number : printable(row.lead));
   item.set("cells", cells);
   return item;
 }
@@ -117,6 +118,7 @@ data race_table_data(const View& view, const RaceTable& table, const RaceHead& h
   item.set("at_head", head.at);
   item.set("at_title", head.title);
   item.set("has_rows", races.is_non_empty_list());
+  item.set("has_leads", std::ranges::any_of(table.rows, [](const RaceTable::Row& row) { return !row.lead.empty(); }));
   item.set("races", races);
   item.set("has_undecided", undecided.is_non_empty_list());
   item.set("undecided", undecided);
@@ -133,8 +135,8 @@ void set_races(data& page, const View& view) {
       "times",
       race_table_data(
           view, race_table(view),
-          {clock + " to the same error. Ratios to the fastest are 95 % intervals; “at least” divides the intervals’ "
-                   "nearest ends, so that as much is sure.",
+          {clock + " to the same error, and how many times as long as the fastest: 95 % intervals. “At least”: only a "
+                   "bound is known.",
            "relMSE", "relative mean squared error"}));
   page.set("errors", race_table_data(view, error_table(view),
                                      {"Error (relMSE) in the same time. Ratios to the least: 95 % intervals.", "time",

@@ -83,6 +83,20 @@ TEST(HtmlReport, shows_the_scene_whose_errors_in_the_same_time_differ_most) {
   EXPECT_EQ(strip_of(), "furnace");
 }
 
+// The worst gate's first tile in the scene of 8 x 8 pixels.
+TEST(HtmlReport, frames_the_place_where_a_gate_fails) {
+  Results results = sample_conclusions();
+  for (GateRecord& gate : results.gates) {
+    gate.pictures = {{"image", "box.png"}, {"flip", "box-flip.png"}};
+    if (gate.verdict == GateVerdict::fail) gate.tiles = {{2, 4, 3, 1, 2, ""}, {0, 0, 1, 1, 1, ""}};
+  }
+  const std::string frame =
+      R"html(<span class="fault-place" title="3 by 1 pixels at (2, 4)" style="left:25.00%;top:50.00%;width:37.50%;height:12.50%">)html";
+  EXPECT_EQ(count(html_of(results), frame), 3u) << "image, reference and difference";
+  for (GateRecord& gate : results.gates) gate.tiles.clear();
+  EXPECT_EQ(count(html_of(results), "class=\"fault-place\""), 0u);
+}
+
 /// Everything before the page's own script.
 std::string without_script(const std::string& html) { return html.substr(0, html.rfind("<script>")); }
 

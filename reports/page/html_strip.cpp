@@ -1,5 +1,7 @@
 #include "reports/page/html_strip.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -26,6 +28,7 @@ struct Shown {
 struct Strip {
   const SceneView* scene = nullptr;
   std::vector<Shown> images, maps;
+  const FailingTile* place = nullptr;  ///< where a gate fails
 };
 
 void add(Strip& strip, const View& view, const Result& result) {
@@ -40,7 +43,7 @@ void add(Strip& strip, const View& view, const Result& result) {
 }
 
 Strip strip_of_gate(const View& view, const GateRecord& gate) {
-  Strip strip{find_scene(view, gate.scene), {}, {}};
+  Strip strip{find_scene(view, gate.scene), {}, {}, gate.tiles.empty() ? nullptr : &gate.tiles.front()};
   const std::string image = picture_file(gate.pictures, "image"), flip = picture_file(gate.pictures, "flip");
   if (strip.scene == nullptr || image.empty()) return {};
   strip.images.push_back(
@@ -62,7 +65,7 @@ std::vector<const Result*> pictured(const SceneView& scene, const View& view, co
 }
 
 Strip strip_of_race(const View& view, const RaceRecord& race) {
-  Strip strip{find_scene(view, race.scene), {}, {}};
+  Strip strip{find_scene(view, race.scene), {}, {}, nullptr};
   if (strip.scene == nullptr || race.times.size() < 2) return {};
   const Result *first = nullptr, *second = nullptr;
   double nearest = 0;
@@ -79,7 +82,7 @@ Strip strip_of_race(const View& view, const RaceRecord& race) {
 }
 
 Strip strip_of_scene(const View& view, const SceneView& scene) {
-  Strip strip{&scene, {}, {}};
+  Strip strip{&scene, {}, {}, nullptr};
   constexpr std::size_t most = 2;
   for (const EngineOutcome& outcome : scene.engines)
     if (outcome.shown != nullptr && !picture_file(outcome.shown->pictures, "image").empty() &&
@@ -120,6 +123,21 @@ Strip most_telling(const View& view) {
   return {};
 }
 
+/// A frame around the place where a gate fails, in per cent of the picture's sides.
+data frame_of(const Strip& strip) {
+  const SceneRecord& scene = strip.scene->record;
+  if (strip.place == nullptr || scene.width <= 0 || scene.height <= 0) return data(false);
+  const FailingTile& place = *strip.place;
+  const auto percent = [](int part, int whole) { return fmt::format("{:.2f}", 100.0 * part / whole); };
+  data frame;
+  frame.set("left", percent(place.x, scene.width));
+  frame.set("top", percent(place.y, scene.height));
+  frame.set("width", percent(place.width, scene.width));
+  frame.set("height", percent(place.height, scene.height));
+  frame.set("words", fmt::format("{} by {} pixels at ({}, {})", place.width, place.height, place.x, place.y));
+  return frame;
+}
+
 }  // namespace
 
 void set_strip(data& page, const View& view, const fs::path& folder) {
@@ -139,6 +157,7 @@ void set_strip(data& page, const View& view, const fs::path& folder) {
       bytes += pictures.emplace_back(embed_thumbnail(folder, shown.file, side)).uri.size();
     if (bytes <= most_bytes) break;
   }
+  const data frame = frame_of(strip);
   data list(data::type::list);
   for (std::size_t i = 0; i < pictures.size(); ++i) {
     if (!pictures[i].problem.empty()) continue;  // the scene's part of the page tells it
@@ -149,6 +168,7 @@ void set_strip(data& page, const View& view, const fs::path& folder) {
     item.set("caption", printable(shown.caption));
     set_picture(item, pictures[i], shown.title + ", " + strip.scene->record.name);
     item.set("picture_id", data(false));
+    item.set("frame", frame);
     list.push_back(item);
   }
   data out;

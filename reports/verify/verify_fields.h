@@ -106,6 +106,7 @@ void describe(V& v, VerifyScene& r) {
   v.field("pairs", r.pairs);
   v.field("faults", r.faults);
   v.field("notes", r.notes);
+  v.maybe("title", r.title, {.says = "name of the scene on pages; absent: its own name"});
 }
 
 template <class V>

@@ -15,7 +15,7 @@ std::string verify_markdown(const VerifyRecord& record) {
   text +=
       "`seen`: the least error of the mean that every agreeing pair would have shown; `s`: seconds of all engines, "
       "pairs and passes.\n\n| scene | verdict |";
-  for (const std::string& column : overview.columns) text += " " + column + " |";
+  for (const OverviewColumn& column : overview.columns) text += " " + column.name + " |";
   text += " seen | s |\n|---|---|";
   for (std::size_t i = 0; i < overview.columns.size() + 2; ++i) text += "--:|";
   text += "\n";

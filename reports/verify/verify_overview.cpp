@@ -95,12 +95,13 @@ std::string totals_of(const VerifyRecord& record) {
 
 VerifyOverview verify_overview(const VerifyRecord& record) {
   VerifyOverview overview;
-  for (const VerifyEngineRecord& engine : record.engines) overview.columns.push_back(engine.name);
-  for (const char* side : {closed_form_side, stored_reference_side}) overview.columns.emplace_back(side);
+  for (const VerifyEngineRecord& engine : record.engines)
+    if (engine.problem.empty()) overview.columns.push_back({engine.name, engine.title});
+  for (const char* side : {closed_form_side, stored_reference_side}) overview.columns.push_back({side, ""});
   for (const VerifyScene& scene : record.scenes) {
     OverviewRow row{&scene, {}, power_words(scene)};
     const std::string base = base_of(scene);
-    for (const std::string& column : overview.columns) row.cells.push_back(cell_of(scene, base, column));
+    for (const OverviewColumn& column : overview.columns) row.cells.push_back(cell_of(scene, base, column.name));
     overview.rows.push_back(std::move(row));
   }
   overview.totals = totals_of(record);

@@ -14,6 +14,10 @@ struct OverviewCell {
   std::string state;  ///< "good", "bad", "open"; empty where there is nothing
 };
 
+struct OverviewColumn {
+  std::string name, title;  ///< no title: the name says it
+};
+
 struct OverviewRow {
   const VerifyScene* scene = nullptr;
   std::vector<OverviewCell> cells;  ///< in the order of the columns; the base's is marked
@@ -21,9 +25,9 @@ struct OverviewRow {
 };
 
 struct VerifyOverview {
-  std::vector<std::string> columns;  ///< engines, the closed form, the stored reference
-  std::vector<OverviewRow> rows;     ///< in the order of the record's scenes
-  std::string totals;                ///< sentences
+  std::vector<OverviewColumn> columns;  ///< engines that can be used, the closed form, the stored reference
+  std::vector<OverviewRow> rows;        ///< in the order of the record's scenes
+  std::string totals;                   ///< sentences
 };
 
 /// `record` must outlive it.

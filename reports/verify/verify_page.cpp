@@ -117,7 +117,8 @@ data fault_data(const VerifyFault& fault, const VerifyScene& scene, const fs::pa
 
 data scene_data(const VerifyScene& scene, const fs::path& folder) {
   data out, cards(data::type::list), missing(data::type::list), faults(data::type::list);
-  out.set("name", printable(scene.name));
+  out.set("id", printable(scene.name));
+  out.set("name", printable(scene.shown_name()));
   out.set("purpose", printable(scene.purpose));
   out.set("verdict", scene.verdict);
   out.set("chip", chip_of(scene.verdict));
@@ -163,8 +164,8 @@ data answers_of(const std::vector<const VerifyScene*>& sorted) {
   constexpr std::size_t most = 3;
   std::vector<std::string> answers;
   for (const VerifyScene* scene : sorted)
-    if (scene->verdict != "agree") answers.push_back(scene->name + ": " + scene->sentence);
-  if (answers.empty() && sorted.size() == 1) answers = {sorted.front()->name + ": " + sorted.front()->sentence};
+    if (scene->verdict != "agree") answers.push_back(scene->shown_name() + ": " + scene->sentence);
+  if (answers.empty() && sorted.size() == 1) answers = {sorted.front()->shown_name() + ": " + sorted.front()->sentence};
   if (answers.empty() && !sorted.empty()) answers = {fmt::format("Yes: all {} scenes agree.", sorted.size())};
   if (answers.size() > most) {
     const std::size_t more = answers.size() - (most - 1);
@@ -174,13 +175,13 @@ data answers_of(const std::vector<const VerifyScene*>& sorted) {
   return list_of(answers);
 }
 
-/// The least error that every agreeing pair would show, beside the one asked for: both limits in one sentence.
+/// The least error that every agreeing pair would show, beside the one asked for.
 std::string detects_words(const VerifyRecord& record) {
-  const std::string asked = fmt::format("asked for {}; a pair may reach {} and the errors that its engines declare",
-                                        error_words(record.power), error_words(accepted_power * record.power));
+  const std::string asked = error_words(record.power);
   const std::optional<double> worst = largest_detectable(record);
-  return worst ? fmt::format("an error of {} of the mean in any pair that agrees ({})", error_words(worst), asked)
-               : "no pair agrees (" + asked + ")";
+  return worst ? fmt::format("an error of {} of the mean, in every pair that agrees ({} was asked for)",
+                             error_words(worst), asked)
+               : fmt::format("no pair agrees (an error of {} was asked for)", asked);
 }
 
 /// The overview of all scenes, if there are several.
@@ -188,7 +189,8 @@ void set_overview(data& page, const VerifyOverview& overview) {
   data rows(data::type::list);
   for (const OverviewRow& row : overview.rows) {
     data out, cells(data::type::list);
-    out.set("name", printable(row.scene->name));
+    out.set("id", printable(row.scene->name));
+    out.set("name", printable(row.scene->shown_name()));
     out.set("verdict", row.scene->verdict);
     out.set("chip", chip_of(row.scene->verdict));
     for (const OverviewCell& cell : row.cells) {
@@ -204,7 +206,14 @@ void set_overview(data& page, const VerifyOverview& overview) {
   }
   page.set("has_overview", overview.rows.size() > 1);
   page.set("overview_words", verify_overview_words);
-  page.set("columns", list_of(overview.columns));
+  data columns(data::type::list);
+  for (const OverviewColumn& column : overview.columns) {
+    data out;
+    out.set("name", printable(column.name));
+    out.set("title", column.title.empty() ? data(false) : data(printable(column.title)));
+    columns.push_back(out);
+  }
+  page.set("columns", columns);
   page.set("overview", rows);
 }
 

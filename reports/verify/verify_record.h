@@ -71,6 +71,9 @@ struct VerifyScene {
   std::vector<VerifyPair> pairs{};
   std::vector<VerifyFault> faults{};
   std::vector<std::string> notes{};
+  std::string title{};  ///< from expect.toml, for the page; empty: the name stands there
+
+  const std::string& shown_name() const { return title.empty() ? name : title; }
 };
 
 /// The pair in either order; null if they were not compared.

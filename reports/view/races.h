@@ -18,8 +18,13 @@ std::string race_text(const RaceRecord& race);
 /// Whether an engine is faster than all others whose rank is known, beyond chance.
 bool has_winner(const RaceRecord& race);
 
+/// "photonmapper: 6.2 to 8.8 times less error than path", in the time of one image. Empty where none leads beyond
+/// noise.
+std::string error_lead_text(const RaceRecord& race);
+
 /// One sentence over all scenes: "photonmapper is fastest to the same error on 5 of 7 scenes, 2.1 to 31 times sooner
-/// than the next; 1 not judged". Ties count as "1 without a winner". Empty without races.
+/// than the next, but biased on 2 of these 5, by up to 1.9 % of a block; 1 not judged". Ties count as "1 without a
+/// winner". Empty without races.
 std::string races_sentence(const View& view);
 
 /// Results of races: a row for each race, a column for each engine.
@@ -35,6 +40,7 @@ struct RaceTable {
     std::string at;  ///< the error or the time at which engines are compared
     std::vector<Cell> cells;
     std::string undecided;  ///< the reason, instead of cells
+    std::string lead{};     ///< of errors in the same time, see error_lead_text
   };
   std::vector<std::string> engines;  ///< by name, in the order of the view
   std::vector<Row> rows;

@@ -84,6 +84,29 @@ TEST(Races, are_summed_up_in_one_sentence) {
   EXPECT_EQ(races_sentence(arrange(results)), "");
 }
 
+// The photon mapper's images of the largest budget are off in the box; the other scene has no verdict.
+TEST(Races, of_a_biased_winner_say_so_in_the_sentence) {
+  Results results = sample_conclusions();
+  results.races.pop_back();
+  const std::string one =
+      "photon is fastest to the same error on 1 of 1 scene, 9.0 to 11 times sooner than the next, but biased there, by 1.2 %";
+  EXPECT_EQ(races_sentence(arrange(results)), one);
+  results.races.push_back(results.races.front());
+  results.races.back().scene = "hole";
+  EXPECT_EQ(races_sentence(arrange(results)),
+            "photon is fastest to the same error on 2 of 2 scenes, 9.0 to 11 times sooner than the next, but biased on 1 "
+            "of these 2, by 1.2 %");
+}
+
+TEST(Races, name_who_has_less_error_in_the_same_time_beyond_noise) {
+  RaceRecord race = sample_races().front();
+  EXPECT_EQ(error_lead_text(race), "photon: 7.0 to 9.0 times less error than path");
+  race.errors[1].ratio->interval = Interval{0.9, 9};
+  EXPECT_EQ(error_lead_text(race), "");
+  race.errors.pop_back();
+  EXPECT_EQ(error_lead_text(race), "");
+}
+
 // A scene with two targets has two races with the same errors. The winner's lead is beyond noise.
 TEST(Races, have_errors_in_the_same_time_once_a_scene) {
   Results results = sample_conclusions();

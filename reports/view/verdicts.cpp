@@ -95,6 +95,18 @@ std::string verdict_text(const CorrectnessRecord& record) {
   return text;
 }
 
+std::optional<SeenBias> seen_bias(const CorrectnessRecord& record) {
+  if (record.verdict != Correctness::biased) return std::nullopt;
+  if (record.whole && record.whole->interval && excludes_zero(*record.whole->interval))
+    return SeenBias{std::abs(record.whole->value), false};
+  if (!record.block) return std::nullopt;
+  const Interval at = record.block->interval.value_or(Interval{record.block->value, record.block->value});
+  const double most = std::max(std::abs(at.low), std::abs(at.high));
+  return SeenBias{excludes_zero(at) || most >= 1 ? std::abs(record.block->value) : most, true};
+}
+
+std::string bias_text(const SeenBias& bias) { return percent(bias.size) + (bias.of_block ? " of a block" : ""); }
+
 std::string sentence_of(const CorrectnessRecord& record) {
   return record.sentence + (record.regression_only.empty() ? "" : "; regression only: " + record.regression_only);
 }

@@ -1,6 +1,7 @@
 // Texts about right images, for the page, Markdown and the console.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -12,6 +13,17 @@ namespace photonproof::reports::inline reports_view {
 /// "right within 0.3 %", "biased +0.8 %", "biased −3 % in a block", "noisy ±5 %", "unknown". "right (regression only)"
 /// if the reference shares the engine's sampling.
 std::string verdict_text(const CorrectnessRecord& record);
+
+/// Size of the bias that was seen, as a share of the image's light, or else the most that it can be of a block's. Empty
+/// without one.
+struct SeenBias {
+  double size = 0;
+  bool of_block = false;
+};
+std::optional<SeenBias> seen_bias(const CorrectnessRecord& record);
+
+/// "1.9 % of a block".
+std::string bias_text(const SeenBias& bias);
 
 /// The verdict's sentence, with the reason if it can only detect changes.
 std::string sentence_of(const CorrectnessRecord& record);

@@ -33,6 +33,22 @@ TEST(Verdicts, say_the_number_that_goes_with_them) {
   EXPECT_EQ(verdict_text(record(Correctness::unknown, Estimate{0.02, {}})), "unknown +2.0 %");
 }
 
+TEST(Verdicts, of_bias_have_the_size_that_is_known) {
+  const auto size_of = [](const CorrectnessRecord& r) { return seen_bias(r) ? bias_text(*seen_bias(r)) : ""; };
+  CorrectnessRecord biased = record(Correctness::biased, Estimate{-0.05, Interval{-0.06, -0.04}});
+  EXPECT_EQ(size_of(biased), "5.0 %");
+  biased.whole = Estimate{0.001, Interval{-0.003, 0.005}};
+  EXPECT_EQ(size_of(biased), "") << "an older record";
+  biased.block = Estimate{-0.03, Interval{-0.04, -0.02}};
+  EXPECT_EQ(size_of(biased), "3.0 % of a block");
+  biased.block = Estimate{-0.001, Interval{-0.003, 0.001}};
+  EXPECT_EQ(size_of(biased), "0.30 % of a block");
+  biased.block = Estimate{-0.019, Interval{-5.93, 5.89}};
+  EXPECT_EQ(size_of(biased), "1.9 % of a block");
+  biased.verdict = Correctness::noisy;
+  EXPECT_EQ(size_of(biased), "");
+}
+
 TEST(Verdicts, that_rest_on_the_engines_own_sampling_say_so) {
   CorrectnessRecord own = record(Correctness::right, {}, 0.01);
   own.regression_only = "the reference is by path, whose sampling is the engine's";
