@@ -66,7 +66,9 @@ def check(root):
 
 
 def record(root, table, verb, reason):
-    rows = manifest_of(root)
+    rows, table = manifest_of(root), Path(table).name
+    if table not in rows:
+        sys.exit(f"no table {table}; there are: {', '.join(rows)}")
     sources = rows[table]["sources"]
     date = datetime.date.today().isoformat() if verb == "made" else rows[table]["date"]
     rows[table] = {"sources": sources, "date": date, "hash": hash_of(root, sources)}
