@@ -5,6 +5,8 @@
 #include <sstream>
 #include <string>
 #include <string_view>
+#include <system_error>
+#include <vector>
 
 #include "reports/grades/zip_file.h"
 #include "scenes/base/input_error.h"
@@ -80,14 +82,77 @@ std::string setup_script(const std::set<std::string>& packages) {
 }
 
 std::string run_script(const Assignment& assignment, bool contained) {
-  const std::string name = assignment.file.filename().string();
-  return std::string(
-             "#!/bin/sh\n# Grades /autograder/submission and leaves results.json where Gradescope looks for it.\n"
-             "set -e\nhere=${AUTOGRADER:-/autograder}\n"
-             "\"$here/source/bin/photonproof\" grade \"$here/source/assignment/") +
-         name + "\" \"$here/submission\" -o \"$here/grades\"" + (contained ? "" : " --no-sandbox") +
-         "\nmkdir -p \"$here/results\"\ncp \"$here/grades/submissions/submission/results.json\" "
-         "\"$here/results/results.json\"\n";
+  std::string script = R"sh(#!/bin/sh
+# Grades /autograder/submission and leaves results.json where Gradescope looks for it. Where grading is impossible, for
+# example without user namespaces, results.json has the reason.
+here=${AUTOGRADER:-/autograder}
+mkdir -p "$here/results"
+"$here/source/bin/photonproof" grade "$here/source/assignment/ASSIGNMENT" "$here/submission" -o "$here/grades"OPTIONS \
+  >"$here/grade.log" 2>&1
+code=$?
+cat "$here/grade.log"
+graded=$here/grades/submissions/submission/results.json
+[ -f "$graded" ] && exec cp "$graded" "$here/results/results.json"
+reason=$(tail -n 1 "$here/grade.log" | tr -cd '\040-\176' | sed 's/[\\"]/\\&/g')
+printf '{"score": 0, "output": "The autograder could not grade (exit code %s): %s. The submission is not at fault."}\n' \
+  "$code" "$reason" >"$here/results/results.json"
+)sh";
+  const auto replace = [&](std::string_view word, const std::string& text) {
+    script.replace(script.find(word), word.size(), text);
+  };
+  replace("ASSIGNMENT", assignment.file.filename().string());
+  replace("OPTIONS", contained ? "" : " --no-sandbox");
+  return script;
+}
+
+/// The names in a scene's or model's file that may be other files: quoted texts, or the ends of lines such as
+/// "mtllib box.mtl".
+std::vector<std::string> names_in(const fs::path& file) {
+  const std::string extension = file.extension();
+  std::vector<std::string> names;
+  if (extension == ".obj" || extension == ".mtl") {
+    std::istringstream lines(read_file(file, max_member_bytes));
+    for (std::string line; std::getline(lines, line);)
+      if (line.starts_with("mtllib") || line.starts_with("map_") || line.starts_with("bump"))
+        names.push_back(line.substr(line.find_last_of(" \t") + 1));
+  } else if (extension == ".xml" || extension == ".pbrt" || extension == ".gltf") {
+    std::istringstream parts(read_file(file, max_member_bytes));
+    for (std::string part; std::getline(parts, part, '"');) names.push_back(part);
+  }
+  return names;
+}
+
+/// Adds a scene's file, the files that it names, and what these name.
+void add_scene(const fs::path& file, std::set<fs::path>& files) {
+  if (!files.insert(file.lexically_normal()).second) return;
+  constexpr std::size_t longest = 1024;
+  for (const std::string& name : names_in(file)) {
+    if (name.empty() || name.size() > longest || name.find('\n') != std::string::npos) continue;
+    const fs::path named = file.parent_path() / name;
+    std::error_code unreachable;
+    if (fs::is_regular_file(named, unreachable)) add_scene(named, files);
+  }
+}
+
+void add_tree(const fs::path& place, std::set<fs::path>& files) {
+  if (place.empty()) return;
+  if (!fs::is_directory(place))
+    files.insert(place.lexically_normal());
+  else
+    for (const auto& entry : fs::recursive_directory_iterator(place))
+      if (entry.is_regular_file()) files.insert(entry.path().lexically_normal());
+}
+
+/// The files that grading needs: those that the assignment names, and those that its scenes name.
+std::set<fs::path> files_of(const Assignment& assignment) {
+  std::set<fs::path> files{assignment.file.lexically_normal()};
+  for (const fs::path& place : {assignment.overwrite, assignment.baseline}) add_tree(place, files);
+  for (const AssignmentScene& scene : assignment.scenes) {
+    if (!scene.path.empty()) add_scene(scene.path, files);
+    for (const fs::path& file : {scene.params, scene.params_template, scene.reference, scene.given})
+      add_tree(file, files);
+  }
+  return files;
 }
 
 ZipMember member_of(const fs::path& file, const std::string& name) {
@@ -97,7 +162,8 @@ ZipMember member_of(const fs::path& file, const std::string& name) {
 
 }  // namespace
 
-void write_autograder(const Assignment& assignment, const AutograderOptions& options, const fs::path& archive) {
+std::vector<std::string> write_autograder(const Assignment& assignment, const AutograderOptions& options,
+                                          const fs::path& archive) {
   check_inside(assignment);
   check_replaceable(archive);
   std::vector<fs::path> programs{options.program};
@@ -111,12 +177,16 @@ void write_autograder(const Assignment& assignment, const AutograderOptions& opt
     }
   members.push_back({"setup.sh", setup_script(packages_of(programs)), true});
   members.push_back({"run_autograder", run_script(assignment, options.contained), true});
-  for (const auto& entry : fs::recursive_directory_iterator(assignment.folder))
-    if (entry.is_regular_file())
-      members.push_back(
-          member_of(entry.path(), "assignment/" + entry.path().lexically_relative(assignment.folder).string()));
+  for (const fs::path& file : files_of(assignment)) {
+    refuse_outside(assignment, file);
+    members.push_back(
+        member_of(file, "assignment/" + file.lexically_relative(assignment.folder.lexically_normal()).string()));
+  }
   std::ranges::sort(members, {}, &ZipMember::name);
   write_file_atomically(archive, zip_bytes(members));
+  std::vector<std::string> names;
+  for (const ZipMember& member : members) names.push_back(member.name);
+  return names;
 }
 
 }  // namespace photonproof::inline harness_grading

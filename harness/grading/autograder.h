@@ -3,6 +3,8 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
+#include <vector>
 
 #include "harness/grading/assignment.h"
 
@@ -13,10 +15,12 @@ struct AutograderOptions {
   bool contained = true;          ///< False: run_autograder passes --no-sandbox, for hosts without user namespaces.
 };
 
-/// Writes the archive. Its setup.sh installs the packages of the program's libraries, as found on this machine. So it
-/// is for images of the same distribution and release. Throws InputError where a file cannot be read, or the assignment
-/// names files outside its folder, which would be missing there.
-void write_autograder(const Assignment& assignment, const AutograderOptions& options,
-                      const std::filesystem::path& archive);
+/// Writes the archive and returns the names of its members. Of the assignment's folder it has the files that the
+/// assignment and its scenes name, and nothing else, such as other submissions. Its setup.sh installs the packages of
+/// the program's libraries, as found on this machine. So it is for images of the same distribution and release. Throws
+/// InputError where a file cannot be read, or the assignment names files outside its folder, which would be missing
+/// there.
+std::vector<std::string> write_autograder(const Assignment& assignment, const AutograderOptions& options,
+                                          const std::filesystem::path& archive);
 
 }  // namespace photonproof::inline harness_grading

@@ -359,6 +359,7 @@ TEST_F(GradeVerb, the_autograder_has_what_gradescope_asks_for) {
   const ProcessOutcome outcome = run_process({PHOTONPROOF_BINARY, "grade", folder_ / "course.toml", "--autograder",
                                               folder_ / "autograder.zip", "--no-sandbox"});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.standard_error;
+  EXPECT_NE(outcome.standard_output.find("\n  assignment/course.toml\n"), std::string::npos) << outcome.standard_output;
   put_program("submission", 1);
   // Unpacked and run as Gradescope does.
   const std::string place = (folder_ / "autograder").string();
@@ -370,6 +371,49 @@ TEST_F(GradeVerb, the_autograder_has_what_gradescope_asks_for) {
   ASSERT_EQ(run.exit_code, 0) << run.standard_error;
   EXPECT_EQ(schema_problem(gradescope_schema, get("autograder/results/results.json")), "");
   EXPECT_NE(get("autograder/source/setup.sh").find("apt-get install"), std::string::npos);
+}
+
+// The folder has other submissions and a note, which students' machines must not get. The scene names a mesh, and a
+// file that does not exist.
+TEST_F(GradeVerb, the_autograder_has_the_files_that_the_assignment_and_its_scenes_name) {
+  put_program("other-submission", 1);
+  put("answers.txt", "all hidden scenes are furnaces");
+  put("box.obj", "mtllib box.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  put("box.mtl", "newmtl a\nmap_Kd wood.png\n");
+  put("wood.png", "not read here");
+  std::string scene = read_file(PHOTONPROOF_SOURCE_DIR "/scenes/library/furnace/scene.xml", 1 << 20);
+  scene.insert(scene.rfind("</scene>"),
+               "<shape type='obj'><string name='filename' value=\"box.obj\"/></shape><!-- \"absent.png\" -->");
+  put("scene.xml", scene);
+  put("course.toml", course_text("", "", "[[hidden]]\nname = \"c\"\npath = \"scene.xml\"\nwidth = 64\nheight = 64\n"));
+  const ProcessOutcome outcome =
+      run_process({PHOTONPROOF_BINARY, "grade", folder_ / "course.toml", "--autograder", folder_ / "autograder.zip"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.standard_error;
+  const std::string& list = outcome.standard_output;
+  for (const char* name : {"course.toml", "scene.xml", "box.obj", "box.mtl", "wood.png"})
+    EXPECT_NE(list.find("\n  assignment/" + std::string(name) + "\n"), std::string::npos) << name << "\n" << list;
+  for (const char* name : {"other-submission", "answers", "absent"})
+    EXPECT_EQ(list.find(name), std::string::npos) << name << "\n" << list;
+}
+
+// A program that says why it cannot grade, as where user namespaces are denied.
+TEST_F(GradeVerb, the_autograder_tells_why_it_cannot_grade) {
+  const ProcessOutcome outcome =
+      run_process({PHOTONPROOF_BINARY, "grade", folder_ / "course.toml", "--autograder", folder_ / "autograder.zip"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.standard_error;
+  const std::string place = (folder_ / "autograder").string();
+  const ProcessOutcome run = run_process(
+      {"sh", "-ec",
+       "mkdir -p $0/source; cd $0/source; python3 -m zipfile -e ../../autograder.zip .; chmod +x run_autograder; "
+       "printf '#!/bin/sh\\necho one; echo \"bwrap: no \\\\\"namespaces\\\\\"\" >&2; exit 2\\n' >bin/photonproof; "
+       "chmod +x bin/photonproof; AUTOGRADER=$0 ./run_autograder",
+       place});
+  ASSERT_EQ(run.exit_code, 0) << run.standard_error;
+  const std::string results = get("autograder/results/results.json");
+  EXPECT_EQ(schema_problem(gradescope_schema, results), "") << results;
+  EXPECT_NE(results.find(R"((exit code 2): bwrap: no \"namespaces\". The submission is not at fault.)"),
+            std::string::npos)
+      << results;
 }
 
 }  // namespace

@@ -87,8 +87,10 @@ void write_grades(const Grades& grades, const fs::path& folder) {
 int run_grade(const GradeArguments& arguments) {
   const Assignment assignment = read_assignment(arguments.assignment);
   if (!arguments.autograder.empty()) {
-    write_autograder(assignment, {fs::read_symlink("/proc/self/exe"), arguments.sandbox}, arguments.autograder);
-    std::printf("autograder: %s\n", arguments.autograder.c_str());
+    const std::vector<std::string> members =
+        write_autograder(assignment, {fs::read_symlink("/proc/self/exe"), arguments.sandbox}, arguments.autograder);
+    for (const std::string& name : members) std::printf("  %s\n", name.c_str());
+    std::printf("autograder: %s, %zu files\n", arguments.autograder.c_str(), members.size());
     return 0;
   }
   if (arguments.submissions.empty()) throw InputError("submissions", "there are none to grade");
