@@ -19,6 +19,7 @@
 #include "harness/verbs/usage/verb_usage.h"
 #include "harness/verbs/verbs.h"
 #include "harness/verbs/versions.h"
+#include "reports/formats/annotations.h"
 #include "reports/formats/exchange_reports.h"
 #include "reports/page/html_report.h"
 #include "scenes/base/input_error.h"
@@ -105,28 +106,11 @@ void print_gates(const GateSuite& suite, const GateSummary& summary, const std::
   for (const fs::path& report : reports) std::printf("report: %s\n", report.c_str());
 }
 
-// A GitHub workflow command; its message ends at a line break, which none of ours has.
-std::string escaped(const std::string& text, bool property) {
-  std::string out;
-  for (const char c : text) {
-    if (c == '%')
-      out += "%25";
-    else if (property && c == ':')
-      out += "%3A";
-    else if (property && c == ',')
-      out += "%2C";
-    else
-      out += c;
-  }
-  return out;
-}
-
-void print_annotations(const GateSummary& summary) {
-  for (const GateRecord& gate : summary.results.gates) {
-    if (gate.verdict == GateVerdict::pass) continue;
-    std::printf("::%s title=%s::%s\n", gate.verdict == GateVerdict::fail ? "error" : "warning",
-                escaped("gate " + gate.name, true).c_str(), escaped(gate.sentence, false).c_str());
-  }
+/// The suite's path as GitHub knows it: within the checkout.
+std::string path_in_checkout(const std::string& suite) {
+  const char* checkout = std::getenv("GITHUB_WORKSPACE");
+  if (checkout == nullptr || *checkout == '\0') return suite;
+  return fs::absolute(suite).lexically_normal().lexically_proximate(fs::path(checkout)).string();
 }
 
 int exit_code_of(const GateSummary& summary) {
@@ -234,7 +218,9 @@ int run_gates(const GateArguments& arguments) {
   else
     print_gates(suite, summary, reports);
   if (arguments.annotations || (!arguments.json && github != nullptr && std::string(github) == "true"))
-    print_annotations(summary);
+    std::fputs(
+        reports::github_annotations(reports::arrange(summary.results), path_in_checkout(arguments.suite)).c_str(),
+        stdout);
   return exit_code_of(summary);
 }
 

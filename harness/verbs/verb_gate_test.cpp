@@ -104,7 +104,7 @@ TEST_F(GateVerb, a_dim_place_fails_and_is_named) {
   EXPECT_EQ(record.tiles[0].y, 8);
   EXPECT_TRUE(has("out/" + record.image));
   for (const auto& [role, picture] : record.pictures) EXPECT_TRUE(has("out/" + picture)) << role;
-  EXPECT_NE(outcome.standard_output.find("::error title=gate scene/dim/agreement::-50 %25 over 48 px at (6, 8)"),
+  EXPECT_NE(outcome.standard_output.find("gates.toml,title=gate scene/dim/agreement::-50 %25 over 48 px at (6, 8)"),
             std::string::npos)
       << outcome.standard_output;
 }

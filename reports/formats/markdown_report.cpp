@@ -72,17 +72,25 @@ class Writer {
   std::string write() const {
     std::string text = header() + races() + at_a_glance() + gates() + changes() + summary() + failures();
     for (const SceneView& scene : view_.scenes) text += scene_section(scene);
-    return text + notes();
+    return text + notes() + "\n" + provenance();
   }
 
  private:
+  /// The answers come first: the worst failing gate, how many pass, who is fastest.
   std::string header() const {
-    std::string text =
-        "# " + markdown_text(heading(results_)) + "\n\nphotonproof report: " + totals_text(results_) + ".\n\n";
+    std::string text = "# " + markdown_text(heading(results_)) + "\n\n";
+    for (const std::string& answer : {failing_text(view_), verdicts_text(view_.gates), races_sentence(view_)})
+      if (!answer.empty()) text += "**" + markdown_text(answer) + ".**\n\n";
+    text += "photonproof report: " + totals_text(results_) + ".\n\n";
+    for (const std::string& caveat : results_.caveats) text += "* Caveat: " + markdown_text(caveat) + "\n";
+    return text + (results_.caveats.empty() ? "" : "\n");
+  }
+
+  std::string provenance() const {
+    std::string text = "## How it was made\n\n";
     text += "* Made: " + markdown_text(time_text(results_.created)) + "\n";
     text += "* Host: " + markdown_text(host_text(results_.host)) + "\n";
     text += "* Versions: " + markdown_text(versions_text(results_.versions)) + "\n";
-    for (const std::string& caveat : results_.caveats) text += "* Caveat: " + markdown_text(caveat) + "\n";
     text += "\n";
     text += "Repeat with\n\n" + code_block(results_.command);
     std::vector<Row> rows;
@@ -148,8 +156,7 @@ class Writer {
 
   std::string races() const {
     if (view_.races.empty()) return {};
-    std::string text = "## Fastest to the same error\n\n" + markdown_text(races_sentence(view_)) + ".\n\n" +
-                       race_rows(race_table(view_), "relMSE");
+    std::string text = "## Fastest to the same error\n\n" + race_rows(race_table(view_), "relMSE");
     for (const RaceRecord* race : view_.races) text += "* " + markdown_text(race_text(*race)) + ".\n";
     const std::string errors = race_rows(error_table(view_), "Time");
     return text + "\n" + (errors.empty() ? "" : "Error (relMSE) in the same time:\n\n" + errors);
