@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Checks workflows, issue forms and CITATION.cff against their published schemas.
+# Checks workflows, actions, issue forms and CITATION.cff against their published schemas.
 #   harness/setup/lint_public.sh
 # The first run installs check-jsonschema from Python's package index into an environment below build/.
 set -euo pipefail
@@ -16,6 +16,8 @@ check() { # SCHEMA FILE...
   "$environment/bin/check-jsonschema" --builtin-schema "vendor.$1" "${@:2}"
 }
 check github-workflows .github/workflows/*.yml harness/ci/github-actions.yml
+check github-actions harness/ci/gate/action.yml
+check gitlab-ci harness/ci/gitlab-ci.yml
 check github-issue-forms .github/ISSUE_TEMPLATE/{bug,scene,wrong-image}.yml
 check github-issue-config .github/ISSUE_TEMPLATE/config.yml
 check citation-file-format CITATION.cff

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <set>
 
@@ -97,6 +98,49 @@ TEST_F(CiFiles, workflow_is_one_that_github_reads) {
     }
 }
 
+/// The steps of harness/ci/gate/action.yml by name.
+std::map<std::string, json> action_steps() {
+  const json action = workflow(ci + "gate/action.yml");
+  EXPECT_EQ(action.at("runs").at("using"), "composite");
+  std::map<std::string, json> steps;
+  for (const json& step : action.at("runs").at("steps")) steps[step.at("name")] = step;
+  return steps;
+}
+
+TEST_F(CiFiles, action_is_one_that_github_reads) {
+  if (!run_process({"python3", "-c", "import yaml"}).ok()) GTEST_SKIP() << "no python3-yaml here";
+  const std::map<std::string, json> steps = action_steps();
+  for (const auto& [name, step] : steps) {
+    EXPECT_NE(step.contains("run"), step.contains("uses")) << name;
+    if (!step.contains("run")) continue;
+    EXPECT_EQ(step.at("shell"), "bash") << name << ": a composite action's step names its shell";
+    const std::string script = step.at("run");
+    EXPECT_EQ(script.find("${{"), std::string::npos) << name << ": inputs reach scripts by the environment alone";
+    if (is_installed("shellcheck")) {
+      EXPECT_EQ(complaints(as_github_runs_it + script), "") << name;
+    }
+  }
+  for (const char* name : {"Summary", "Keep the report"}) EXPECT_EQ(steps.at(name).at("if"), "always()") << name;
+}
+
+// The installed program is one that prints its arguments and fails as it is told.
+TEST_F(CiFiles, action_gates_with_its_inputs_and_fails_as_the_gates_do) {
+  if (!run_process({"python3", "-c", "import yaml"}).ok()) GTEST_SKIP() << "no python3-yaml here";
+  fs::create_directories(folder_ / "photonproof/bin");
+  put("photonproof/bin/photonproof", "#!/bin/sh\necho \"$@\"\nexit \"$CODE\"\n");
+  fs::permissions(folder_ / "photonproof/bin/photonproof", fs::perms::owner_all);
+  put("gate.sh", as_github_runs_it + action_steps().at("Gate").at("run").get<std::string>());
+  const auto gate = [&](const char* code, const char* inconclusive_passes) {
+    return run_process({"env", "RUNNER_TEMP=" + folder_.string(), std::string("CODE=") + code, "SUITE=a b.toml",
+                        "FOLDER=out dir", "OPTIONS=--seed 7", std::string("INCONCLUSIVE_PASSES=") + inconclusive_passes,
+                        "bash", (folder_ / "gate.sh").string()});
+  };
+  EXPECT_EQ(gate("0", "false").standard_output, "gate a b.toml -o out dir --seed 7\n");
+  for (const char* code : {"0", "1", "2", "3"}) EXPECT_EQ(gate(code, "false").exit_code, std::stoi(code));
+  EXPECT_EQ(gate("3", "true").exit_code, 0);
+  EXPECT_EQ(gate("1", "true").exit_code, 1);
+}
+
 TEST_F(CiFiles, nightly_checks_are_commands_that_the_repository_has_and_shellcheck_takes) {
   if (!run_process({"python3", "-c", "import yaml"}).ok()) GTEST_SKIP() << "no python3-yaml here";
   const json job = workflow(source + "/.github/workflows/nightly.yml").at("jobs").at("check");
@@ -151,14 +195,19 @@ TEST_F(CiFiles, shell_example_calls_a_build_that_fails_a_configuration_error) {
   EXPECT_EQ(outcome.standard_error, "no CMake files\n");  // once: the build stops at the first failure
 }
 
-TEST_F(CiFiles, container_file_copies_and_runs_what_the_repository_has) {
+// harness/packaging/container.sh builds and runs the image; it needs podman and a base.
+TEST_F(CiFiles, container_file_installs_the_package_for_a_user_without_rights) {
   const std::string text = read_file(ci + "Containerfile");
+  std::size_t at = 0;
   for (const char* line :
-       {"FROM debian:12\n", "source harness/setup/packages.sh", "cmake --preset release", "harness/suites/gates.toml"})
-    EXPECT_NE(text.find(line), std::string::npos) << line;
-  // The build's folders and results stay outside.
-  const std::string ignored = read_file(source + "/.dockerignore");
-  for (const char* name : {"build*\n", "out\n", ".git\n"}) EXPECT_NE(ignored.find(name), std::string::npos) << name;
+       {"harness/packaging/deb.sh\n", "ARG BASE=debian:12\nFROM ${BASE}\n", "COPY photonproof_*.deb /tmp/\n",
+        "apt-get install -y --no-install-recommends /tmp/photonproof_*.deb", "useradd --create-home photonproof",
+        "USER photonproof\n", "ENTRYPOINT [\"photonproof\"]\n"}) {
+    at = text.find(line, at);
+    ASSERT_NE(at, std::string::npos) << line;
+  }
+  for (const char* script : {"harness/packaging/deb.sh", "harness/packaging/container.sh"})
+    EXPECT_TRUE(fs::exists(source + "/" + script)) << script;
 }
 
 }  // namespace

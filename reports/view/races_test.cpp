@@ -89,13 +89,15 @@ TEST(Races, of_a_biased_winner_say_so_in_the_sentence) {
   Results results = sample_conclusions();
   results.races.pop_back();
   const std::string one =
-      "photon is fastest to the same error on 1 of 1 scene, 9.0 to 11 times sooner than the next, but biased there, by 1.2 %";
+      "photon is fastest to the same error on 1 of 1 scene, 9.0 to 11 times sooner than the next, but biased there, by "
+      "1.2 %";
   EXPECT_EQ(races_sentence(arrange(results)), one);
   results.races.push_back(results.races.front());
   results.races.back().scene = "hole";
-  EXPECT_EQ(races_sentence(arrange(results)),
-            "photon is fastest to the same error on 2 of 2 scenes, 9.0 to 11 times sooner than the next, but biased on 1 "
-            "of these 2, by 1.2 %");
+  EXPECT_EQ(
+      races_sentence(arrange(results)),
+      "photon is fastest to the same error on 2 of 2 scenes, 9.0 to 11 times sooner than the next, but biased on 1 "
+      "of these 2, by 1.2 %");
 }
 
 TEST(Races, name_who_has_less_error_in_the_same_time_beyond_noise) {

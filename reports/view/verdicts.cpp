@@ -105,7 +105,9 @@ std::optional<SeenBias> seen_bias(const CorrectnessRecord& record) {
   return SeenBias{excludes_zero(at) || most >= 1 ? std::abs(record.block->value) : most, true};
 }
 
-std::string bias_text(const SeenBias& bias) { return percent(bias.size) + (bias.of_block ? " of a block" : ""); }
+std::string bias_text(const SeenBias& bias) {
+  return bias.of_block ? fmt::format("{} of a block", percent(bias.size)) : percent(bias.size);
+}
 
 std::string sentence_of(const CorrectnessRecord& record) {
   return record.sentence + (record.regression_only.empty() ? "" : "; regression only: " + record.regression_only);
