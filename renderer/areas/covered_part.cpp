@@ -31,20 +31,29 @@ CoveredPart::CoveredPart(std::vector<Footprint> found) : footprints_(largest_apa
   tree_ = BoxTree(parts, number_);
 }
 
-std::vector<std::uint32_t> CoveredPart::near(const Vec3d& p, double radius) const {
+std::size_t CoveredPart::near(const Vec3d& p, double radius, Near& found) const {
   const auto is_near = [&](const ShapeBox& box) {
     const Vec3d low(box.low), high(box.high);
     const Vec3d nearest{std::clamp(p.x, low.x, high.x), std::clamp(p.y, low.y, high.y), std::clamp(p.z, low.z, high.z)};
     return length_squared(nearest - p) <= radius * radius;
   };
-  std::vector<std::uint32_t> found;
-  tree_.visit(is_near, [&](std::uint32_t place) { found.push_back(number_[place]); });
-  std::ranges::sort(found);
-  return found;
+  std::size_t count = 0;
+  tree_.any_of(is_near, [&](std::uint32_t place) {
+    if (count < most_near) found[count] = number_[place];
+    return ++count > most_near;
+  });
+  if (count <= most_near) std::sort(found.begin(), found.begin() + count);
+  return count;
 }
 
 double CoveredPart::left_of(double area, const Vec3d& p, double radius) const {
-  for (const std::uint32_t i : near(p, radius)) area -= footprints_[i].in_disc(p, radius);
+  constexpr std::size_t few = 8;  // cheaper than a search
+  Near found;
+  const std::size_t count = footprints_.size() <= few ? most_near + 1 : near(p, radius, found);
+  if (count > most_near)
+    for (const Footprint& f : footprints_) area -= f.in_disc(p, radius);
+  else
+    for (std::size_t i = 0; i < count; ++i) area -= footprints_[found[i]].in_disc(p, radius);
   return area;
 }
 

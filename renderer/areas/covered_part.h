@@ -2,6 +2,8 @@
 // as much beside a thousand solids as beside a few.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -19,8 +21,12 @@ class CoveredPart {
   double left_of(double area, const Vec3d& p, double radius) const;
   /// The footprints, from the largest on.
   const std::vector<Footprint>& footprints() const { return footprints_; }
-  /// Numbers of the footprints that the disc may meet, in ascending order: sums over them have one order and one value.
-  std::vector<std::uint32_t> near(const Vec3d& p, double radius) const;
+  /// Numbers of footprints near a gather, without memory from the heap.
+  static constexpr std::size_t most_near = 64;
+  using Near = std::array<std::uint32_t, most_near>;
+  /// Count of the footprints that the disc may meet. Up to `most_near`, their numbers are in `found`, ascending, so
+  /// that sums over them have one order and one value.
+  std::size_t near(const Vec3d& p, double radius, Near& found) const;
 
  private:
   std::vector<Footprint> footprints_;
