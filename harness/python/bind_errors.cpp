@@ -1,3 +1,5 @@
+#include <nanobind/stl/string.h>
+
 #include <exception>
 
 #include "harness/python/bindings.h"

@@ -12,7 +12,7 @@ namespace nb = nanobind;
 namespace photonproof::inline harness_python {
 namespace {
 
-nb::tuple read(const std::string& path, const std::string& layer) {
+Parts read(const std::string& path, const std::string& layer) {
   Rendering rendering;
   {
     const nb::gil_scoped_release released;

@@ -46,10 +46,10 @@ int threads_for(const Pixels& pixels, int threads) {
 
 /// A tuple a metric: name, value or None, parameters, and why it is undefined or None. Throws InputError where the
 /// images cannot be compared.
-nb::list measure_arrays(const Pixels& reference, const Pixels& test, std::vector<std::string> metrics, double exposure,
-                        const std::optional<std::vector<double>>& exposures, double more_than,
-                        const std::optional<std::array<int, 4>>& region, const std::optional<MaskArray>& mask,
-                        int threads) {
+Rows measure_arrays(const Pixels& reference, const Pixels& test, std::vector<std::string> metrics, double exposure,
+                    const std::optional<std::vector<double>>& exposures, double more_than,
+                    const std::optional<std::array<int, 4>>& region, const std::optional<MaskArray>& mask,
+                    int threads) {
   MetricOptions options;
   set("exposure", {exposure}, options.parameters);
   set("more_than", {more_than}, options.parameters);
@@ -77,7 +77,7 @@ nb::list measure_arrays(const Pixels& reference, const Pixels& test, std::vector
 }
 
 /// A tuple a metric: name, the meaning of its bound, and whether it is computed only on request.
-nb::list metric_table() {
+Rows metric_table() {
   constexpr const char* bounds[] = {"maximum", "minimum", "absolute maximum"};
   nb::list rows;
   for (const MetricRow& row : metric_rows())

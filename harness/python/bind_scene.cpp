@@ -137,10 +137,19 @@ class Mailbox {
   std::vector<std::string> warnings_;
 };
 
+using Warn = nb::typed<nb::callable, void(std::string)>;
+
+/// Whether a callback returned something false other than None. Raises what its conversion raises.
+bool says_no(const nb::object& answer) {
+  if (answer.is_none()) return false;
+  const int truth = PyObject_IsTrue(answer.ptr());
+  if (truth < 0) nb::raise_python_error();
+  return truth == 0;
+}
+
 /// Calls `progress(fraction, phase)` and `warn(text)` while it renders. A progress that returns False ends the render
 /// early. Returns mean, variance, alpha, metadata and stats.
-nb::object render(const SceneDescription& scene, const Asked& asked, const nb::object& progress,
-                  const nb::callable& warn) {
+Parts render(const SceneDescription& scene, const Asked& asked, const nb::object& progress, const Warn& warn) {
   RenderRequest request = request_of(asked);
   std::atomic<bool> stop = false;
   Mailbox mail;
@@ -154,10 +163,10 @@ nb::object render(const SceneDescription& scene, const Asked& asked, const nb::o
       [&] {
         for (const std::string& text : mail.take_warnings()) warn(text);
         if (const auto at = mail.take_progress())
-          if (progress(at->first, at->second).is(nb::bool_(false))) stop = true;
+          if (says_no(progress(at->first, at->second))) stop = true;
       });
   const nb::dict stats = stats_of(*rendered, asked.seed, asked.sampler);
-  return arrays_of(std::move(rendered->image)) + nb::make_tuple(stats);
+  return nb::tuple(arrays_of(std::move(rendered->image)) + nb::make_tuple(stats));
 }
 
 std::vector<std::string> notes_of(const SceneDescription& scene) {
@@ -185,8 +194,7 @@ void bind_scene(nb::module_& module) {
              std::optional<std::int64_t> spp, std::optional<std::int64_t> photons, std::optional<double> seconds,
              std::optional<double> target_error, std::uint64_t seed, int threads, int grid, std::string sampler,
              std::string view, std::vector<std::string> no_skip, std::string isa,
-             std::optional<std::array<int, 4>> crop, bool denoise, const nb::object& progress,
-             const nb::callable& warn) {
+             std::optional<std::array<int, 4>> crop, bool denoise, const nb::object& progress, const Warn& warn) {
             return render(
                 scene,
                 {std::move(integrator), std::move(indirect), spp, photons, seconds, target_error, seed, threads, grid,

@@ -60,7 +60,7 @@ Rendering rendering_as(const Stated& stated) {
   return rendering_of(std::get<0>(stated), std::get<1>(stated), std::get<2>(stated));
 }
 
-nb::dict agreement(const Stated& stated_reference, const Stated& stated_test, double alpha, bool shared_noise) {
+Values agreement(const Stated& stated_reference, const Stated& stated_test, double alpha, bool shared_noise) {
   check_alpha(alpha);
   const Rendering reference = rendering_as(stated_reference), test = rendering_as(stated_test);
   Agreement found;
@@ -84,7 +84,7 @@ nb::dict agreement(const Stated& stated_reference, const Stated& stated_test, do
 }
 
 /// Mean of the images and variance of that mean.
-nb::tuple mean_of_images(const std::vector<Pixels>& images) {
+Parts mean_of_images(const std::vector<Pixels>& images) {
   if (images.size() < 2) throw InputError("images", "a variance needs two images or more");
   Rendering rendering;
   {
@@ -160,10 +160,10 @@ Gate gate_of(const std::string& metric, const Bounds& bounds, int looks, std::op
   return gate;
 }
 
-nb::dict judge(const std::vector<Pixels>& arrays, const Stated& stated_reference,
-               const std::optional<std::string>& provenance, const std::string& name, std::size_t batches,
-               const std::string& metric, double bound, double block_bound, double alpha, int looks,
-               std::optional<double> spp, bool unbiased, double exposure) {
+Values judge(const std::vector<Pixels>& arrays, const Stated& stated_reference,
+             const std::optional<std::string>& provenance, const std::string& name, std::size_t batches,
+             const std::string& metric, double bound, double block_bound, double alpha, int looks,
+             std::optional<double> spp, bool unbiased, double exposure) {
   const Gate gate = gate_of(metric, {bound, block_bound, alpha}, looks, spp, unbiased);
   const StoredReference reference = reference_of(stated_reference, provenance, name, batches);
   ParameterValues viewing;

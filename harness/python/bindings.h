@@ -6,6 +6,11 @@
 
 namespace photonproof::inline harness_python {
 
+// Types of what functions return, for the stub that nanobind makes.
+using Values = nanobind::typed<nanobind::dict, nanobind::str, nanobind::any>;
+using Rows = nanobind::typed<nanobind::list, nanobind::any>;
+using Parts = nanobind::typed<nanobind::tuple, nanobind::any, nanobind::ellipsis>;
+
 /// Turns InputError into photonproof.InputError, with its place.
 void bind_errors(nanobind::module_& module);
 /// Scene, and its render.

@@ -1,4 +1,6 @@
 // Python's module `photonproof._native`.
+#include <nanobind/stl/string.h>
+
 #include "harness/python/bindings.h"
 #include "renderer/core/version.h"
 

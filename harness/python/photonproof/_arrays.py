@@ -21,7 +21,7 @@ _expected = ("expected float16, float32 or float64 with linear values, or uint8 
 
 @lru_cache(maxsize=2)
 def _srgb_table(greatest: int) -> "NDArray[np.float32]":
-    return _native.srgb_table(greatest).reshape(-1)
+    return np.asarray(_native.srgb_table(greatest), np.float32).reshape(-1)
 
 
 def _decoded(samples: "NDArray[Any]") -> "NDArray[np.float32]":
@@ -52,7 +52,7 @@ def as_pixels(value: Any, name: str) -> "NDArray[np.float32]":
     Raises InputError for another shape or dtype. ``name`` stands for the array in messages.
     """
     if isinstance(value, np.ndarray) and value.dtype == _single and value.ndim == 3 and value.shape[2] == 3 \
-            and value.flags.c_contiguous and value.flags.aligned and value.dtype.isnative \
+            and value.flags.c_contiguous and value.flags.aligned and not isinstance(value, np.ma.MaskedArray) \
             and 0 < value.size <= 3 * _most_pixels and value.shape[1] <= _most_columns:
         return value
     try:

@@ -31,7 +31,7 @@ class Image(np.ndarray[Any, np.dtype[np.float32]]):
         return shown
 
     def png(self) -> bytes:
-        """The picture that ``photonproof render -o x.png --exposure`` writes: 2^exposure times the image in 8-bit sRGB."""
+        """The picture that ``photonproof render -o x.png`` writes: 2^exposure times the image in 8-bit sRGB."""
         with tempfile.TemporaryDirectory(prefix="photonproof-") as folder:
             path = os.path.join(folder, "image.png")
             _native.write_png(path, as_pixels(self, "the image"), self.exposure)
@@ -49,7 +49,7 @@ class Rendering:
     image: Image
     #: Variance of each value of ``image``, of the same shape. None where there were no two independent estimates.
     variance: Optional[Image]
-    #: As the file ``x.exr.stats.json`` of ``photonproof render``; empty for an image that was read.
+    #: As the file ``x.stats.json`` of ``photonproof render``; empty for an image that was read.
     stats: Dict[str, Any] = field(default_factory=dict)
     #: Texts of the EXR's header. Statistics use those on noise that pixels share.
     metadata: Dict[str, str] = field(default_factory=dict)

@@ -1,8 +1,8 @@
 """Metrics of a pair of images, as ``photonproof compare`` computes them. docs/metrics.md defines each.
 
-The reference comes first. Images are paths, Renderings, or arrays of shape (height, width, 3), or grey, or with alpha. Values of float16,
-float32 and float64 are linear; those of uint8 and uint16 are sRGB, as files of these depths are read. Other shapes and
-dtypes, values that are not finite and images of different sizes raise InputError.
+The reference comes first. Images are paths, Renderings, or arrays of shape (height, width, 3), or grey, or with alpha.
+Values of float16, float32 and float64 are linear; those of uint8 and uint16 are sRGB, as files of these depths are read.
+Other shapes and dtypes, values that are not finite and images of different sizes raise InputError.
 """
 from __future__ import annotations
 
@@ -77,7 +77,7 @@ def value_of(reference: Any, test: Any, metric: str, exposure: float = 0.0, more
         None if mask is None else as_mask(mask), 0)
     if value is None:
         raise refusal(name, f"is undefined: {why}")
-    return value
+    return float(value)
 
 
 def mse(reference: Any, test: Any, *, mask: Any = None) -> float:

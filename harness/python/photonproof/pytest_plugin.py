@@ -26,7 +26,7 @@ def pytest_addoption(parser: pytest.Parser) -> None:
 
 @pytest.fixture
 def assert_agrees(request: pytest.FixtureRequest) -> Iterator[Any]:
-    """``assert_agrees(image, "golden.exr", bound=0.02, metric="flip")``: fails the test where the metric breaks the bound.
+    """``assert_agrees(image, "golden.exr", bound=0.02)``: fails the test where the metric breaks the bound.
 
     The arguments are those of photonproof.checks.check_agrees.
     """

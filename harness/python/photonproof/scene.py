@@ -64,8 +64,8 @@ class Scene:
         spp, photons, seconds, target_error: the budget. Without one, the scene's samples per pixel.
         seed: of the random numbers. threads: 0 for every core.
         crop: x, y, width and height of the pixels to render.
-        progress: called in this thread with the fraction done and the phase. If it returns False, the render ends early;
-            ``stats["interrupted"]`` is then True, and the image is that of the samples so far.
+        progress: called in this thread with the fraction done and the phase. If it returns False, the render ends
+            early; ``stats["interrupted"]`` is then True, and the image is that of the samples so far.
 
         Raises InputError where the scene or the request cannot be rendered. Issues RenderWarning.
         """

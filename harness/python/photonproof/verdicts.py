@@ -147,12 +147,12 @@ def gate(images: Any, reference: Any, bound: float, metric: str = "agreement", *
     of images; or one image whose noise is unknown.
     metric: "agreement", "bias" (of the whole image), "block_bias", or a metric of compare such as "ssim".
     bound: of the metric; for agreement, the relative error that must be found with probability 0.99. With fewer images
-    than that needs, the verdict is inconclusive. block_bound: the same for blocks of 8 x 8 pixels; else any.
+    than that needs, the verdict is inconclusive. block_bound: the same for blocks of 8 x 8 pixels; else 5 times bound.
     alpha: the probability of a failure by chance, over all looks. looks: the number of times that you may look, each
     time with more images. spp: samples per pixel of an image, where known. unbiased: the images' noise averages out.
     """
     stated, provenance, name, batches = _reference(reference)
     return _verdict_of(_native.judge(
         _images(images, "images"), stated, provenance=provenance, name=name, batches=batches, metric=metric,
-        bound=bound, block_bound=math.inf if block_bound is None else block_bound, alpha=alpha, looks=looks, spp=spp,
+        bound=bound, block_bound=5 * bound if block_bound is None else block_bound, alpha=alpha, looks=looks, spp=spp,
         unbiased=unbiased, exposure=exposure))

@@ -85,7 +85,8 @@ def test_bytes_are_read_as_the_programs_pngs(program_json, tmp_path, depth, mode
     images = [rng.integers(0, 256, shape, dtype=depth) for _ in range(2)]
     for i, image in enumerate(images):
         pillow.fromarray(image, mode).save(tmp_path / f"{i}.png")
-    assert_equal_to_program(photonproof.compare(*images), program_json("compare", tmp_path / "0.png", tmp_path / "1.png"))
+    from_program = program_json("compare", tmp_path / "0.png", tmp_path / "1.png")
+    assert_equal_to_program(photonproof.compare(*images), from_program)
 
 
 def test_all_samples_of_both_depths_are_decoded_as_files_are(tmp_path):
@@ -140,7 +141,7 @@ def with_value(value, dtype=np.float32):
     (with_value(np.inf), r"pixel \(5, 3\) of the test image is \+infinity in G"),
     (with_value(-np.inf, np.float16), r"pixel \(5, 3\) of the test image is -infinity in G"),
     (with_value(1e300, np.float64), r"test: error: pixel \(5, 3\) is 1e\+300 in G, beyond single precision"),
-    (good[:, :11], r"the test image is 11 x 12 pixels, the reference image 12 x 12"),
+    (good[:, :11], r"the test image is 11x12 pixels, the reference image 12x12"),
     (good[:0], r"shape \(0, 12, 3\) and no pixels"),
     (good[:, :, :2], r"shape \(12, 12, 2\), expected float16"),
     (good[0, 0, 0], r"shape \(\), expected"), (good[0, 0], r"shape \(3,\), expected"),

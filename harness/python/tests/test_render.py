@@ -37,7 +37,8 @@ def test_a_render_has_the_bits_of_the_programs_file(cornell, scenes, program, tm
         return
     np.testing.assert_array_equal(rendered.image, stored.image)
     np.testing.assert_array_equal(rendered.variance, stored.variance)
-    stats = json.loads((tmp_path / "image.exr.stats.json").read_text())
+    stats = json.loads((tmp_path / "image.stats.json").read_text())
+    stats["plan"]["skips"] = stats["plan"]["skips"] or {}  # null in the file
     for key in ("engine", "version", "width", "height", "seed", "counts", "skipped", "choices", "losses", "cannot_find",
                 "plan", "interrupted"):
         assert rendered.stats[key] == stats[key], key
