@@ -50,6 +50,7 @@ Rows measure_arrays(const Pixels& reference, const Pixels& test, std::vector<std
                     const std::optional<std::vector<double>>& exposures, double more_than,
                     const std::optional<std::array<int, 4>>& region, const std::optional<MaskArray>& mask,
                     int threads) {
+  if (threads < 0 || threads > 1024) throw InputError("threads", "must be from 0, every core, to 1024");
   MetricOptions options;
   set("exposure", {exposure}, options.parameters);
   set("more_than", {more_than}, options.parameters);

@@ -66,7 +66,7 @@ def as_pixels(value: Any, name: str) -> "NDArray[np.float32]":
         raise refusal(name, f"has dtype {kind}, {_expected}")
     array = _shaped(array, name)
     if kind.kind == "u":
-        return np.ascontiguousarray(_decoded(array.astype(kind.newbyteorder("="), copy=False)))
+        return np.ascontiguousarray(_decoded(array))
     with np.errstate(over="ignore", invalid="ignore"):
         single = np.ascontiguousarray(array, dtype=np.float32)
     if kind.itemsize > 4 and not np.array_equal(np.isfinite(single), np.isfinite(array)):

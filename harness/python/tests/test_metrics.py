@@ -165,7 +165,7 @@ def test_an_image_that_cannot_be_compared_is_one_clear_error(image, says):
     ({"metrics": "ssin"}, "'ssin'.*ssim"), ({"exposure": float("nan")}, "exposure"), ({"exposure": 1000}, "exposure"),
     ({"more_than": 2}, "more_than"), ({"exposures": (1, 0, 3)}, "exposures"), ({"region": (0, 0, 99, 1)}, "region"),
     ({"mask": np.ones((3, 3), bool)}, "mask"), ({"mask": np.zeros((12, 12), bool)}, "chooses no pixel"),
-    ({"mask": np.ones((12, 12))}, "expected bool")])
+    ({"mask": np.ones((12, 12))}, "expected bool"), ({"threads": -1}, "threads"), ({"threads": 10**6}, "threads")])
 def test_an_option_out_of_range_is_one_clear_error(options, says):
     with pytest.raises(photonproof.InputError, match=says):
         photonproof.compare(good, good, **options)
