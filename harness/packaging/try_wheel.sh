@@ -23,7 +23,7 @@ step() {
   printf '%-28s %7.1f s  %s\n' "$1" "$(awk '{print $1 + $2}' "$root/tmp/step.time")" "$(tail -n 1 "$root/tmp/step.log")"
 }
 scene="/tmp/venv/lib/python3*/site-packages/photonproof/share/photonproof/scenes/library/cornell/scene.xml"  # expanded there
-step "no library of the build" "test ! -e /usr/include; ! ls /usr/lib/x86_64-linux-gnu/ | grep -E 'embree|tbb|OpenEXR|cairo|X11'; echo none"
+step "no library of the build" "! ls /usr/lib/x86_64-linux-gnu/ | grep -E 'embree|tbb|OpenEXR|cairo|X11'; echo none"
 step "an empty environment" "python3 -m venv venv"
 step "install" "venv/bin/pip install --no-index --find-links wheels photonproof"
 step "first picture" "venv/bin/python -c 'import photonproof as p; p.write(\"first.png\", p.load(p.program.data() + \"/scenes/library/cornell/scene.xml\").render(spp=16).image)'; ls first.png"
