@@ -20,7 +20,7 @@ rm -rf build/wheels
 mkdir -p build/wheels
 echo "building the wheel"
 time quietly build/wheel.log pip wheel . --no-deps --no-build-isolation -w build/wheels/unrepaired
-quietly build/wheel-repair.log python harness/packaging/repair_wheel.py repair -w build/wheels build/wheels/unrepaired/photonproof-*.whl
+quietly build/wheel-repair.log python harness/packaging/repair_wheel.py repair build/wheels/unrepaired/photonproof-*.whl build/wheels
 rm -r build/wheels/unrepaired
 wheel=$(echo build/wheels/photonproof-*.whl)
 python harness/packaging/repair_wheel.py sizes "$wheel"

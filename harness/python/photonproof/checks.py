@@ -6,7 +6,6 @@ from pathlib import Path
 from typing import Any, List, Optional
 
 from . import _native
-from ._arrays import as_mask
 from ._errors import InputError, refusal
 from .images import read, write
 from .metrics import pixels_of, value_of
@@ -49,7 +48,7 @@ def check_agrees(image: Any, golden: Any, bound: float, *, metric: str = "flip",
         name, expected = "the golden image", pixels_of(golden, "golden")
     pixels = pixels_of(image, "image")
     try:
-        value = value_of(expected, pixels, metric, exposure, mask=None if mask is None else as_mask(mask))
+        value = value_of(expected, pixels, metric, exposure, mask=mask)
         broken = _native.broken_bound(metric, value, bound)
     except InputError as error:
         if error.place != "images":

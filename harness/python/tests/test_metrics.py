@@ -206,3 +206,10 @@ def test_errors_keep_the_memory():
 def test_no_array_is_copied_on_the_way_in(pair):
     from photonproof._arrays import as_pixels
     assert as_pixels(pair[0], "x") is pair[0]
+
+
+def test_comparisons_at_the_same_time_have_the_bits_of_one(pair):
+    from concurrent.futures import ThreadPoolExecutor
+    alone = photonproof.compare(*pair)
+    with ThreadPoolExecutor(4) as pool:
+        assert all(found == alone for found in pool.map(lambda _: photonproof.compare(*pair), range(16)))

@@ -64,3 +64,26 @@ def test_bounds_have_the_side_of_their_metric(pair):
     with pytest.raises(AgreementError, match="bias"):
         check_agrees(darker, reference, 0.05, metric="bias")
     check_agrees(darker, reference, 0.11, metric="bias")
+
+
+def test_a_mask_and_an_exposure_count(pair):
+    reference = pair[0][:40, :40]
+    wrong = reference.copy()
+    wrong[:20] *= 3
+    lower = np.zeros((40, 40), bool)
+    lower[20:] = True
+    assert check_agrees(wrong, reference, 0, metric="mse", mask=lower) == 0
+    with pytest.raises(AgreementError, match="mse"):
+        check_agrees(wrong, reference, 0, metric="mse")
+    assert check_agrees(wrong, reference, 1, exposure=2) == photonproof.flip(reference, wrong, exposure=2)
+
+
+@pytest.mark.parametrize("spoil, says", [
+    (lambda image: image[:20], "40x20"), (lambda image: image * np.float32(np.nan), "NaN")])
+def test_a_wrong_size_or_value_is_a_failure_and_no_error(pair, spoil, says):
+    reference = pair[0][:40, :40]
+    with pytest.raises(AgreementError, match=says) as caught:
+        check_agrees(spoil(reference), reference, 0.1)
+    assert caught.value.pictures == []
+    with pytest.raises(photonproof.InputError, match="flop"):
+        check_agrees(reference, reference, 0.1, metric="flop")

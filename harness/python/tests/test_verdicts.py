@@ -120,6 +120,19 @@ def test_a_gate_fails_and_names_the_place(renders):
     assert photonproof.gate(images, reference, 0.9999, "ssim").verdict == "fail"
 
 
+def test_samples_allow_for_one_that_falls_beyond_an_edge():
+    """Of 16 stratified samples of a pixel on an edge from 0 to 1, one more or less falls on each side: 1/16 of 1."""
+    rng = np.random.default_rng(1)
+    reference = np.zeros((16, 16, 3), np.float32)
+    reference[:, 8:] = 1
+    images = [reference + rng.normal(0, 8e-3, reference.shape).astype(np.float32) for _ in range(8)]
+    for image in images:
+        image[4, 8] -= 0.03
+    stated = reference, np.full_like(reference, 1e-8)
+    assert photonproof.gate(images, stated, 0.5).verdict == "fail"
+    assert photonproof.gate(images, stated, 0.5, spp=16).verdict == "pass"
+
+
 def test_a_gate_says_inconclusive_where_images_are_too_few(renders):
     reference = [rendered.image for rendered in renders[:4]]
     found = photonproof.gate([rendered.image for rendered in renders[4:]], reference, 1e-5)
