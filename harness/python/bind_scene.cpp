@@ -90,6 +90,9 @@ void check(const Asked& asked) {
   check_range("seconds", asked.seconds, 1e-3, 1e7, "0.001 to 1e7");
   check_range("target_error", asked.target_error, 1e-6, 10.0, "1e-6 to 10");
   check_range<int>("threads", asked.threads, 0, 1024, "0, every core, to 1024");
+  if (asked.seconds && asked.spp) throw InputError("seconds", "excludes spp: a render has one budget");
+  if (asked.target_error && (asked.spp || asked.seconds))
+    throw InputError("target_error", "excludes spp and seconds: a render has one budget");
   check_range<int>("grid", asked.grid, 0, 1024, "0 to 1024");
 }
 

@@ -23,13 +23,16 @@ def cornell(scenes):
 
 @pytest.mark.parametrize("integrator, threads, options", [
     ("path", 1, {}), ("path", 3, {"sampler": "independent"}), ("photonmapper", 2, {"photons": 5000}),
-    ("bdpt", 2, {}), ("path", 2, {"crop": (3, 5, 20, 11)})])
+    ("bdpt", 2, {}), ("path", 2, {"crop": (3, 5, 20, 11)}), ("path", 2, {"grid": 2}), ("path", 2, {"isa": "scalar"}),
+    ("photonmapper", 2, {"indirect": "map"}), ("photonmapper", 1, {"view": "caustics"}),
+    ("path", 2, {"target_error": 0.2, "spp": None}), ("path", 2, {"no_skip": ("all",)})])
 def test_a_render_has_the_bits_of_the_programs_file(cornell, scenes, program, tmp_path, integrator, threads, options):
-    words = [word for name, value in options.items()
-             for word in ["--" + name, *map(str, value if isinstance(value, tuple) else [value])]]
-    program("render", scenes / "cornell" / "scene.xml", "--size", "48x40", "--integrator", integrator, "--spp", 16,
+    options = {"spp": 16, **options}
+    words = [word for name, value in options.items() if value is not None
+             for word in ["--" + name.replace("_", "-"), *map(str, value if isinstance(value, tuple) else [value])]]
+    program("render", scenes / "cornell" / "scene.xml", "--size", "48x40", "--integrator", integrator,
             "--seed", 5, "--threads", 2, *words, "-o", "image.exr", "--quiet", folder=tmp_path)
-    rendered = cornell.render(integrator, spp=16, seed=5, threads=threads, **options)
+    rendered = cornell.render(integrator, seed=5, threads=threads, **options)
     stored = photonproof.read(tmp_path / "image.exr")
     if "crop" in options:  # the file's image is black around the crop
         x, y, width, height = options["crop"]
@@ -160,6 +163,8 @@ def test_a_scenes_error_is_the_programs_with_its_place(scenes, program, tmp_path
     ({"spp": 0}, "spp"), ({"spp": -1}, "spp"), ({"spp": 2**40}, "spp"), ({"photons": 0}, "photons"),
     ({"seconds": float("nan")}, "seconds"), ({"seconds": -1.0}, "seconds"), ({"target_error": 0.0}, "target_error"),
     ({"threads": -1}, "threads"), ({"threads": 10**6}, "threads"), ({"grid": -1}, "grid"),
+    ({"spp": 4, "seconds": 1.0}, "seconds"), ({"seconds": 1.0, "target_error": 0.1}, "target_error"),
+    ({"spp": 4, "target_error": 0.1}, "target_error"),
     ({"sampler": "halton"}, "sampler"), ({"view": "nothing"}, "--view"), ({"isa": "v9"}, "--isa"),
     ({"indirect": "magic"}, "indirect"), ({"crop": (0, 0, 500, 1)}, "--crop"), ({"crop": (-1, 0, 5, 5)}, "--crop"),
     ({"no_skip": ["nothing"]}, "--no-skip"), ({"photons": 100}, "--photons"), ({"integrator": "vcm"}, "--integrator")])
@@ -198,6 +203,34 @@ def test_a_warning_of_the_program_is_a_render_warning(scenes, program, tmp_path)
     for warning in caught:
         assert os.path.basename(warning.filename) == "test_render.py"
         assert str(warning.message).replace(": ", ": warning: ", 1) in printed
+
+
+def test_definitions_sensors_and_lenient_reading_are_the_programs(scenes, program, tmp_path):
+    text = (scenes / "cornell" / "scene.xml").read_text()
+    scene = tmp_path / "scene.xml"
+    scene.write_text(text)
+    assert photonproof.load(scene, defines={"size": 24}).width == 24
+    with pytest.raises(photonproof.InputError, match="sensor"):
+        photonproof.load(scene, sensor=3)
+    scene.write_text(text.replace("<bsdf", '<shape type="teapot"/><bsdf', 1))
+    with pytest.raises(photonproof.InputError, match="teapot"):
+        photonproof.load(scene)
+    [note] = photonproof.load(scene, lenient=True).notes
+    printed = program("render", scene, "--lenient", "--size", "8x8", "--spp", 1, "-o", tmp_path / "x.exr").stderr
+    assert "teapot" in note and note.replace(": ", ": warning: ", 1) in printed
+
+
+def test_files_outside_the_scenes_folder_and_mitsubas_errors_are_read_on_request(scenes, tmp_path):
+    (tmp_path / "inside").mkdir()
+    (tmp_path / "part.xml").write_text('<scene version="3.0.0"></scene>')
+    scene = tmp_path / "inside" / "scene.xml"
+    text = (scenes / "cornell" / "scene.xml").read_text()
+    scene.write_text(text.replace("<bsdf", '<include filename="../part.xml"/><bsdf', 1))
+    with pytest.raises(photonproof.InputError, match="outside"):
+        photonproof.load(scene)
+    assert photonproof.load(scene, allow_outside=True, size=(4, 4)).width == 4
+    faithful = photonproof.load(scenes / "cornell" / "scene.xml", as_mitsuba=True, size=(8, 8)).render(spp=1)
+    assert faithful.metadata["photonproof:as_mitsuba"] == "3.9.1"
 
 
 def test_a_scene_tells_its_facts(cornell, scenes):
