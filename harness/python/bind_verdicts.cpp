@@ -72,7 +72,6 @@ Values agreement(const Stated& stated_reference, const Stated& stated_test, doub
     found = test_agreement(reference, test, alpha, shared_noise);
   }
   nb::dict dict;
-  dict["pass"] = found.pass() && !found.inconclusive;
   dict["inconclusive"] = found.inconclusive;
   dict["shared_noise"] = found.shared_noise;
   dict["would_see"] = found.would_see;

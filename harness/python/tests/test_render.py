@@ -98,15 +98,18 @@ def test_an_error_in_progress_ends_the_render_and_leaves_it(cornell):
     assert time.monotonic() - began < 30
 
 
-def test_ctrl_c_ends_a_render(scenes):
+@pytest.mark.parametrize("progress", ["lambda fraction, phase: None", "None"])
+def test_ctrl_c_ends_a_render(scenes, progress):
     code = ("import photonproof, sys\n"
             f"scene = photonproof.load({str(scenes / 'cornell' / 'scene.xml')!r})\n"
+            "print('goes', flush=True)\n"
             "try:\n"
-            "    scene.render('path', seconds=300, progress=lambda f, p: print('goes', flush=True))\n"
+            f"    scene.render('path', seconds=300, progress={progress})\n"
             "except KeyboardInterrupt:\n"
             "    print('interrupted'); sys.exit(7)\n")
     child = subprocess.Popen([sys.executable, "-c", code], stdout=subprocess.PIPE, text=True)
     assert child.stdout.readline() == "goes\n"
+    time.sleep(1)  # into the render
     child.send_signal(signal.SIGINT)
     out, _ = child.communicate(timeout=120)
     assert child.returncode == 7 and out.endswith("interrupted\n")
@@ -229,7 +232,9 @@ def test_files_outside_the_scenes_folder_and_mitsubas_errors_are_read_on_request
     with pytest.raises(photonproof.InputError, match="outside"):
         photonproof.load(scene)
     assert photonproof.load(scene, allow_outside=True, size=(4, 4)).width == 4
-    faithful = photonproof.load(scenes / "cornell" / "scene.xml", as_mitsuba=True, size=(8, 8)).render(spp=1)
+    scene = photonproof.load(scenes / "cornell" / "scene.xml", as_mitsuba=True, size=(8, 8))
+    with pytest.warns(photonproof.RenderWarning, match="follows Mitsuba"):
+        faithful = scene.render(spp=1)
     assert faithful.metadata["photonproof:as_mitsuba"] == "3.9.1"
 
 

@@ -133,6 +133,23 @@ def test_samples_allow_for_one_that_falls_beyond_an_edge():
     assert photonproof.gate(images, stated, 0.5, spp=16).verdict == "pass"
 
 
+def test_a_reference_of_few_images_is_worth_less_than_a_stated_one(renders):
+    few = [rendered.image for rendered in renders[:3]]
+    images = [rendered.image for rendered in renders[3:]]
+    mean = photonproof.mean(few)
+    of_images = photonproof.gate(images, few, 0.5)
+    stated = photonproof.gate(images, (mean.image, mean.variance), 0.5)
+    assert of_images.would_see > stated.would_see
+
+
+def test_the_exposure_counts_for_displayed_metrics(renders):
+    reference, images = renders[0].image, [rendered.image for rendered in renders[1:]]
+    for exposure in (0, 2):
+        found = photonproof.gate(images, reference, 0.1, "ssim", exposure=exposure)
+        values = [photonproof.ssim(reference, image, exposure=exposure) for image in images]
+        assert found.observed == pytest.approx(np.mean(values), rel=1e-12)
+
+
 def test_a_gate_says_inconclusive_where_images_are_too_few(renders):
     reference = [rendered.image for rendered in renders[:4]]
     found = photonproof.gate([rendered.image for rendered in renders[4:]], reference, 1e-5)
@@ -144,6 +161,8 @@ def test_a_golden_image_of_unknown_noise(renders):
     assert found.verdict in ("pass", "inconclusive")
     copies = photonproof.gate([renders[1].image] * 4, renders[0].image, 0.5)
     assert copies.verdict == "fail" and "identical" in copies.sentence
+    biased = photonproof.gate([renders[1].image] * 4, renders[0].image, 0.5, unbiased=False)
+    assert biased.verdict == "inconclusive"
 
 
 @pytest.mark.parametrize("call, says", [
