@@ -359,7 +359,8 @@ TEST_F(GradeVerb, the_autograder_has_what_gradescope_asks_for) {
   const ProcessOutcome outcome = run_process({PHOTONPROOF_BINARY, "grade", folder_ / "course.toml", "--autograder",
                                               folder_ / "autograder.zip", "--no-sandbox"});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.standard_error;
-  EXPECT_NE(outcome.standard_output.find("\n  assignment/course.toml\n"), std::string::npos) << outcome.standard_output;
+  EXPECT_NE(("\n" + outcome.standard_output).find("\n  assignment/course.toml\n"), std::string::npos)
+      << outcome.standard_output;
   put_program("submission", 1);
   // Unpacked and run as Gradescope does.
   const std::string place = (folder_ / "autograder").string();
@@ -389,7 +390,7 @@ TEST_F(GradeVerb, the_autograder_has_the_files_that_the_assignment_and_its_scene
   const ProcessOutcome outcome =
       run_process({PHOTONPROOF_BINARY, "grade", folder_ / "course.toml", "--autograder", folder_ / "autograder.zip"});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.standard_error;
-  const std::string& list = outcome.standard_output;
+  const std::string list = "\n" + outcome.standard_output;
   for (const char* name : {"course.toml", "scene.xml", "box.obj", "box.mtl", "wood.png"})
     EXPECT_NE(list.find("\n  assignment/" + std::string(name) + "\n"), std::string::npos) << name << "\n" << list;
   for (const char* name : {"other-submission", "answers", "absent"})
