@@ -149,8 +149,7 @@ std::string races_sentence(const View& view) {
 
 std::string error_lead_text(const RaceRecord& race) {
   if (race.errors.size() < 2 || !is_larger(race.errors[1])) return {};
-  return fmt::format("{}: {} less error than {}", race.errors[0].engine, times_text(*race.errors[1].ratio),
-                     race.errors[1].engine);
+  return race.errors[0].engine + ": " + times_text(*race.errors[1].ratio) + " less";
 }
 
 RaceTable race_table(const View& view) {

@@ -18,8 +18,8 @@ std::string race_text(const RaceRecord& race);
 /// Whether an engine is faster than all others whose rank is known, beyond chance.
 bool has_winner(const RaceRecord& race);
 
-/// "photonmapper: 6.2 to 8.8 times less error than path", in the time of one image. Empty where none leads beyond
-/// noise.
+/// "photonmapper: 6.2 to 8.8 times less": its error in the time of one image, beside the next engine's. Empty where
+/// none leads beyond noise.
 std::string error_lead_text(const RaceRecord& race);
 
 /// One sentence over all scenes: "photonmapper is fastest to the same error on 5 of 7 scenes, 2.1 to 31 times sooner

@@ -102,7 +102,7 @@ TEST(Races, of_a_biased_winner_say_so_in_the_sentence) {
 
 TEST(Races, name_who_has_less_error_in_the_same_time_beyond_noise) {
   RaceRecord race = sample_races().front();
-  EXPECT_EQ(error_lead_text(race), "photon: 7.0 to 9.0 times less error than path");
+  EXPECT_EQ(error_lead_text(race), "photon: 7.0 to 9.0 times less");
   race.errors[1].ratio->interval = Interval{0.9, 9};
   EXPECT_EQ(error_lead_text(race), "");
   race.errors.pop_back();
