@@ -37,6 +37,8 @@ void set_header(data& page, const Results& results, const View& view) {
   page.set("caveats", caveats);
   page.set("verdicts_total", text_or_false(verdicts_text(view.gates)));
   page.set("failing", text_or_false(printable(failing_text(view))));
+  const std::string change = failing_text(view).empty() ? "" : view.gates.front()->regression_only;
+  page.set("regression", text_or_false(printable(change)));
   page.set("has_compared", !view.compared.empty());
   data engines(data::type::list);
   for (std::size_t i = 0; i < view.engines.size(); ++i) engines.push_back(engine_data(view, i));

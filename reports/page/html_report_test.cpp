@@ -97,6 +97,13 @@ TEST(HtmlReport, frames_the_place_where_a_gate_fails) {
   EXPECT_EQ(count(html_of(results), "class=\"fault-place\""), 0u);
 }
 
+TEST(HtmlReport, says_beside_the_failing_gate_that_its_reference_is_the_engines_own) {
+  Results results = sample_conclusions();
+  EXPECT_EQ(count(html_of(results), "Regression only: "), 0u);
+  for (GateRecord& gate : results.gates) gate.regression_only = "the reference is by photon itself";
+  EXPECT_EQ(count(html_of(results), "Regression only: the reference is by photon itself. Its gates show changes"), 1u);
+}
+
 /// Everything before the page's own script.
 std::string without_script(const std::string& html) { return html.substr(0, html.rfind("<script>")); }
 

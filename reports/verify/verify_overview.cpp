@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 namespace photonproof::inline reports_verify {
@@ -34,7 +35,8 @@ OverviewCell cell_of(const VerifyScene& scene, const std::string& base, const st
   }
   const double shift = pair->first == base ? pair->shown_shift() : -pair->shown_shift() / (1 + pair->shown_shift());
   const bool differs = pair->verdict == "differ", agrees = pair->verdict == "agree";
-  return {fmt::format("{:+.2f} %{}{}", 100 * shift + 0.0, pair->ssim ? fmt::format(" {:.3f}", *pair->ssim) : "",
+  return {fmt::format("{:+.2f} %{}{}", std::round(1e4 * shift) / 100 + 0.0,  // + 0.0: never "-0.00"
+                      pair->ssim ? fmt::format(" {:.3f}", *pair->ssim) : "",
                       differs  ? " ✗"
                       : agrees ? ""
                                : " ?"),
@@ -83,12 +85,11 @@ std::string totals_of(const VerifyRecord& record) {
   }
   std::string words;
   for (const auto& [verdict, scenes] : verdicts)
-    words += fmt::format("{}{}: {}", words.empty() ? "" : ", ", verdict, scenes);
+    words += fmt::format("{}{} {}", words.empty() ? "" : ", ", scenes, verdict);
   const auto scenes = record.scenes.size();
   return fmt::format(
-      "Verdicts on {} scene{}: {}. Pairs that agree: {} of {}. Scenes with an independent reference that shares no "
-      "code with this program's engines, another renderer or a closed form: {}.",
-      scenes, scenes == 1 ? "" : "s", words, agreeing, pairs, witnessed);
+      "{} scene{}: {}. {} of {} pairs agree. {} ha{} an independent reference: another renderer, or a closed form.",
+      scenes, scenes == 1 ? "" : "s", words, agreeing, pairs, witnessed, witnessed == 1 ? "s" : "ve");
 }
 
 }  // namespace

@@ -167,6 +167,8 @@ data answers_of(const std::vector<const VerifyScene*>& sorted) {
     if (scene->verdict != "agree") answers.push_back(scene->shown_name() + ": " + scene->sentence);
   if (answers.empty() && sorted.size() == 1) answers = {sorted.front()->shown_name() + ": " + sorted.front()->sentence};
   if (answers.empty() && !sorted.empty()) answers = {fmt::format("Yes: all {} scenes agree.", sorted.size())};
+  const auto differ = [](const VerifyScene* s) { return s->verdict == "differ" || s->verdict == "cannot tell which"; };
+  if (!sorted.empty() && differ(sorted.front())) answers.front().insert(0, "No. ");
   if (answers.size() > most) {
     const std::size_t more = answers.size() - (most - 1);
     answers.resize(most - 1);

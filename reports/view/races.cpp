@@ -52,18 +52,18 @@ struct Wins {
   std::string engine;
   std::size_t scenes = 0;
   double least = 0, most = 0;
-  bool open_end = false;   ///< a lead is known from below only
-  std::size_t biased = 0;  ///< of the scenes
+  bool open_end = false;                         ///< a lead is known from below only
+  std::size_t right = 0, biased = 0, noisy = 0;  ///< of the scenes; the others have no verdict
   SeenBias largest_bias{};
 };
 
-/// Bias of the engine's images of the largest budget; empty if none was seen.
-std::optional<SeenBias> bias_on(const View& view, const std::string& scene_name, const std::string& engine) {
+/// The verdict on the engine's images of the largest budget; null if there is none.
+const CorrectnessRecord* verdict_on(const View& view, const std::string& scene_name, const std::string& engine) {
   for (const SceneView& scene : view.scenes)
     for (const EngineOutcome& outcome : scene.engines)
       if (scene.record.name == scene_name && view.engines[outcome.engine].name == engine && outcome.shown != nullptr)
-        if (const CorrectnessRecord* record = correctness_of(scene, outcome.shown->cell)) return seen_bias(*record);
-  return std::nullopt;
+        return correctness_of(scene, outcome.shown->cell);
+  return nullptr;
 }
 
 void add_win(const View& view, const RaceRecord& race, std::vector<Wins>& all) {
@@ -77,17 +77,30 @@ void add_win(const View& view, const RaceRecord& race, std::vector<Wins>& all) {
   wins->most = std::max(wins->most, high);
   wins->open_end |= second.at_least;
   ++wins->scenes;
-  const std::optional<SeenBias> bias = bias_on(view, race.scene, engine);
-  if (!bias) return;
-  ++wins->biased;
-  if (bias->size >= wins->largest_bias.size) wins->largest_bias = *bias;
+  const CorrectnessRecord* verdict = verdict_on(view, race.scene, engine);
+  if (verdict == nullptr) return;
+  wins->right += verdict->verdict == Correctness::right;
+  wins->noisy += verdict->verdict == Correctness::noisy;
+  wins->biased += verdict->verdict == Correctness::biased;
+  if (const auto bias = seen_bias(*verdict); bias && bias->size >= wins->largest_bias.size) wins->largest_bias = *bias;
 }
 
-/// ", but biased on 2 of these 4, by up to 1.9 % of a block". Empty for an engine without a seen bias.
-std::string but_biased(const Wins& wins) {
-  if (wins.biased == 0) return {};
-  const std::string of = wins.scenes == 1 ? "there" : fmt::format("on {} of these {}", wins.biased, wins.scenes);
-  return fmt::format(", but biased {}, by {}{}", of, wins.biased > 1 ? "up to " : "", bias_text(wins.largest_bias));
+/// " (right on 1 of these 4, biased on 2, by up to 1.9 % of a block's light, too noisy to judge on 1)". Empty for an
+/// engine that is right on all, or without verdicts.
+std::string but_not_right(const Wins& wins) {
+  if (wins.biased + wins.noisy == 0) return {};
+  std::string text = wins.right > 0 ? fmt::format("right on {} of these {}", wins.right, wins.scenes) : "";
+  const auto add = [&](std::size_t count, const std::string& what) {
+    if (count == 0) return;
+    text += (text.empty() ? "" : ", ") + what;
+    text += text.size() == what.size() ? fmt::format(" on {} of these {}", count, wins.scenes)
+                                       : fmt::format(" on {}", count);
+  };
+  add(wins.biased, "biased");
+  if (wins.largest_bias.size > 0)
+    text += fmt::format(", by {}{}", wins.biased > 1 ? "up to " : "", bias_text(wins.largest_bias));
+  add(wins.noisy, "too noisy to judge");
+  return " (" + text + ")";
 }
 
 /// "2.0 to 11 times", or "2.0 to more than 11 times" where a lead is known from below only.
@@ -137,7 +150,7 @@ std::string races_sentence(const View& view) {
     text += text.empty() ? fmt::format("{} is fastest to the same error on {} of {}, {} sooner than the next",
                                        wins.engine, wins.scenes, scenes_text(view.races.size()), lead_text(wins))
                          : fmt::format("; {} on {}, {}", wins.engine, wins.scenes, lead_text(wins));
-    text += but_biased(wins);
+    text += but_not_right(wins);
   }
   if (text.empty())
     return "No engine is known to be faster on " +

@@ -85,19 +85,33 @@ TEST(Races, are_summed_up_in_one_sentence) {
 }
 
 // The photon mapper's images of the largest budget are off in the box; the other scene has no verdict.
-TEST(Races, of_a_biased_winner_say_so_in_the_sentence) {
+TEST(Races, of_a_winner_that_is_not_right_say_so_in_the_sentence) {
   Results results = sample_conclusions();
   results.races.pop_back();
-  const std::string one =
-      "photon is fastest to the same error on 1 of 1 scene, 9.0 to 11 times sooner than the next, but biased there, by "
-      "1.2 %";
-  EXPECT_EQ(races_sentence(arrange(results)), one);
+  EXPECT_EQ(races_sentence(arrange(results)),
+            "photon is fastest to the same error on 1 of 1 scene, 9.0 to 11 times sooner than the next (biased on 1 of "
+            "these 1, by 1.2 %)");
   results.races.push_back(results.races.front());
   results.races.back().scene = "hole";
-  EXPECT_EQ(
-      races_sentence(arrange(results)),
-      "photon is fastest to the same error on 2 of 2 scenes, 9.0 to 11 times sooner than the next, but biased on 1 "
-      "of these 2, by 1.2 %");
+  const std::string two = "photon is fastest to the same error on 2 of 2 scenes, 9.0 to 11 times sooner than the next";
+  EXPECT_EQ(races_sentence(arrange(results)), two + " (biased on 1 of these 2, by 1.2 %)");
+  // The hole has images of its own, whose verdict stands in a copy of the box's curve.
+  Convergence curve = results.convergence.front();
+  curve.scene = "hole";
+  const auto with = [&](Correctness verdict) {
+    curve.points.back().correctness->verdict = verdict;
+    Results more = results;
+    more.convergence.push_back(curve);
+    for (std::size_t i = 0, count = more.results.size(); i < count; ++i)
+      if (more.results[i].cell.scene == "box" && more.results[i].cell.engine == "photon") {
+        more.results.push_back(more.results[i]);
+        more.results.back().cell.scene = "hole";
+      }
+    return races_sentence(arrange(more));
+  };
+  EXPECT_EQ(with(Correctness::right), two + " (right on 1 of these 2, biased on 1, by 1.2 %)");
+  EXPECT_EQ(with(Correctness::noisy), two + " (biased on 1 of these 2, by 1.2 %, too noisy to judge on 1)");
+  EXPECT_EQ(with(Correctness::biased), two + " (biased on 2 of these 2, by up to 1.2 %)");
 }
 
 TEST(Races, name_who_has_less_error_in_the_same_time_beyond_noise) {

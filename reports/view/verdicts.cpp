@@ -106,7 +106,7 @@ std::optional<SeenBias> seen_bias(const CorrectnessRecord& record) {
 }
 
 std::string bias_text(const SeenBias& bias) {
-  return bias.of_block ? fmt::format("{} of a block", percent(bias.size)) : percent(bias.size);
+  return bias.of_block ? fmt::format("{} of a block's light", percent(bias.size)) : percent(bias.size);
 }
 
 std::string sentence_of(const CorrectnessRecord& record) {

@@ -22,7 +22,7 @@ struct SeenBias {
 };
 std::optional<SeenBias> seen_bias(const CorrectnessRecord& record);
 
-/// "1.9 % of a block".
+/// "1.9 % of a block's light".
 std::string bias_text(const SeenBias& bias);
 
 /// The verdict's sentence, with the reason if it can only detect changes.

@@ -40,11 +40,11 @@ TEST(Verdicts, of_bias_have_the_size_that_is_known) {
   biased.whole = Estimate{0.001, Interval{-0.003, 0.005}};
   EXPECT_EQ(size_of(biased), "") << "an older record";
   biased.block = Estimate{-0.03, Interval{-0.04, -0.02}};
-  EXPECT_EQ(size_of(biased), "3.0 % of a block");
+  EXPECT_EQ(size_of(biased), "3.0 % of a block's light");
   biased.block = Estimate{-0.001, Interval{-0.003, 0.001}};
-  EXPECT_EQ(size_of(biased), "0.30 % of a block");
+  EXPECT_EQ(size_of(biased), "0.30 % of a block's light");
   biased.block = Estimate{-0.019, Interval{-5.93, 5.89}};
-  EXPECT_EQ(size_of(biased), "1.9 % of a block");
+  EXPECT_EQ(size_of(biased), "1.9 % of a block's light");
   biased.verdict = Correctness::noisy;
   EXPECT_EQ(size_of(biased), "");
 }
