@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <utility>
 
 #include "harness/cells/host.h"
@@ -193,7 +194,9 @@ struct TimedRun {
 /// time.
 TimedRun run_beside_others(const EngineRun& run, const std::vector<std::string>& argv, ProcessOptions options) {
   const auto run_once = [&](double more_time, double& wanted) {
-    options.wall_limit_seconds = more_time * run.limits.seconds;
+    // In tenths of a second, since messages have it; the limit itself may be shorter.
+    options.wall_limit_seconds =
+        more_time == 1 ? run.limits.seconds : std::ceil(10 * more_time * run.limits.seconds) / 10;
     TimedRun timed{{}, own_cpu_seconds(), machine_busy_seconds(), more_time};
     const OthersBusy busy;
     timed.outcome = run.executor->run(argv, options);
@@ -203,7 +206,12 @@ TimedRun run_beside_others(const EngineRun& run, const std::vector<std::string>&
   };
   double wanted = 1;
   TimedRun first = run_once(1, wanted);
-  return wanted > 1 ? run_once(wanted, wanted) : first;
+  if (wanted == 1) return first;
+  for (const fs::path& left : {run.image(), run.place() / stats_name}) {
+    std::error_code ignored;
+    fs::remove(left, ignored);
+  }
+  return run_once(wanted, wanted);
 }
 
 }  // namespace
@@ -247,8 +255,9 @@ std::optional<Result> run_engine(const EngineRun& run) {
   keep_output(run.place() / "stderr.txt", outcome.standard_error, result);
   remove_all_abandoned_temporaries(run.place());  // temporaries of the engine's processes, which have all ended
   set_status(run, outcome, result);
-  if (result.status == Status::timeout && timed.more_time > 1)
-    result.detail += fmt::format(", {:.2g} times as long for the other work of the machine", timed.more_time);
+  if (timed.more_time > 1)
+    result.caveats.push_back(fmt::format(
+        "a second run, with {:.2g} times the limit: other work used the machine in the first", timed.more_time));
   std::error_code ignored;
   if (fs::exists(run.image(), ignored)) result.image = (run.folder / run.image().filename()).string();
   result.image_checksum = file_checksum(run.image());
