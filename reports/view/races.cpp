@@ -1,6 +1,7 @@
 #include "reports/view/races.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -85,22 +86,17 @@ void add_win(const View& view, const RaceRecord& race, std::vector<Wins>& all) {
   if (const auto bias = seen_bias(*verdict); bias && bias->size >= wins->largest_bias.size) wins->largest_bias = *bias;
 }
 
-/// " (right on 1 of these 4, biased on 2, by up to 1.9 % of a block's light, too noisy to judge on 1)". Empty for an
+/// " (of these 4 right on 1, biased on 2 by up to 1.9 % of a block's light, too noisy to judge on 1)". Empty for an
 /// engine that is right on all, or without verdicts.
 std::string but_not_right(const Wins& wins) {
   if (wins.biased + wins.noisy == 0) return {};
-  std::string text = wins.right > 0 ? fmt::format("right on {} of these {}", wins.right, wins.scenes) : "";
-  const auto add = [&](std::size_t count, const std::string& what) {
-    if (count == 0) return;
-    text += (text.empty() ? "" : ", ") + what;
-    text += text.size() == what.size() ? fmt::format(" on {} of these {}", count, wins.scenes)
-                                       : fmt::format(" on {}", count);
-  };
-  add(wins.biased, "biased");
+  std::vector<std::string> parts;
+  if (wins.right > 0) parts.push_back(fmt::format("right on {}", wins.right));
+  if (wins.biased > 0) parts.push_back(fmt::format("biased on {}", wins.biased));
   if (wins.largest_bias.size > 0)
-    text += fmt::format(", by {}{}", wins.biased > 1 ? "up to " : "", bias_text(wins.largest_bias));
-  add(wins.noisy, "too noisy to judge");
-  return " (" + text + ")";
+    parts.back() += fmt::format(" by {}{}", wins.biased > 1 ? "up to " : "", bias_text(wins.largest_bias));
+  if (wins.noisy > 0) parts.push_back(fmt::format("too noisy to judge on {}", wins.noisy));
+  return fmt::format(" (of these {} {})", wins.scenes, fmt::join(parts, ", "));
 }
 
 /// "2.0 to 11 times", or "2.0 to more than 11 times" where a lead is known from below only.
