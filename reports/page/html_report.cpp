@@ -36,8 +36,9 @@ void set_header(data& page, const Results& results, const View& view) {
   for (const std::string& caveat : results.caveats) caveats.push_back(printable(caveat));
   page.set("caveats", caveats);
   page.set("verdicts_total", text_or_false(verdicts_text(view.gates)));
-  page.set("failing", text_or_false(printable(failing_text(view))));
-  const std::string change = failing_text(view).empty() ? "" : view.gates.front()->regression_only;
+  const std::string failing = failing_text(view);
+  page.set("failing", text_or_false(printable(failing)));
+  const std::string change = failing.empty() ? "" : view.gates.front()->regression_only;
   page.set("regression", text_or_false(printable(change)));
   page.set("has_compared", !view.compared.empty());
   data engines(data::type::list);

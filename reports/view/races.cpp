@@ -86,8 +86,8 @@ void add_win(const View& view, const RaceRecord& race, std::vector<Wins>& all) {
   if (const auto bias = seen_bias(*verdict); bias && bias->size >= wins->largest_bias.size) wins->largest_bias = *bias;
 }
 
-/// " (of these 4 right on 1, biased on 2 by up to 1.9 % of a block's light, too noisy to judge on 1)". Empty for an
-/// engine that is right on all, or without verdicts.
+/// ". Where pm wins, it is right on 1, biased on 2 by up to 1.9 % of a block's light, too noisy to judge on 1". Empty
+/// for an engine that is right on all, or without verdicts.
 std::string but_not_right(const Wins& wins) {
   if (wins.biased + wins.noisy == 0) return {};
   std::vector<std::string> parts;
@@ -96,7 +96,7 @@ std::string but_not_right(const Wins& wins) {
   if (wins.largest_bias.size > 0)
     parts.back() += fmt::format(" by {}{}", wins.biased > 1 ? "up to " : "", bias_text(wins.largest_bias));
   if (wins.noisy > 0) parts.push_back(fmt::format("too noisy to judge on {}", wins.noisy));
-  return fmt::format(" (of these {} {})", wins.scenes, fmt::join(parts, ", "));
+  return fmt::format(". Where {} wins, it is {}", wins.engine, fmt::join(parts, ", "));
 }
 
 /// "2.0 to 11 times", or "2.0 to more than 11 times" where a lead is known from below only.
@@ -141,19 +141,19 @@ std::string races_sentence(const View& view) {
   }
   if (view.races.empty()) return {};
   std::ranges::stable_sort(all, std::greater{}, &Wins::scenes);
-  std::string text;
+  std::string text, doubts;
   for (const Wins& wins : all) {
     text += text.empty() ? fmt::format("{} is fastest to the same error on {} of {}, {} sooner than the next",
                                        wins.engine, wins.scenes, scenes_text(view.races.size()), lead_text(wins))
                          : fmt::format("; {} on {}, {}", wins.engine, wins.scenes, lead_text(wins));
-    text += but_not_right(wins);
+    doubts += but_not_right(wins);
   }
   if (text.empty())
     return "No engine is known to be faster on " +
            (view.races.size() == 1 ? "the one scene" : fmt::format("any of {} scenes", view.races.size()));
   if (ties > 0) text += fmt::format("; {} without a winner", ties);
   if (unjudged > 0) text += fmt::format("; {} not judged", unjudged);
-  return text;
+  return text + doubts;
 }
 
 std::string error_lead_text(const RaceRecord& race) {

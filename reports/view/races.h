@@ -22,9 +22,9 @@ bool has_winner(const RaceRecord& race);
 /// none leads beyond noise.
 std::string error_lead_text(const RaceRecord& race);
 
-/// One sentence over all scenes: "photonmapper is fastest to the same error on 5 of 7 scenes, 2.1 to 31 times sooner
-/// than the next; 1 not judged". Brackets follow a winner that is not right on all of them: "(of these 5 right on 2,
-/// biased on 3 by up to 1.9 % of a block's light)". Ties count as "1 without a winner". Empty without races.
+/// A sentence over all scenes: "photonmapper is fastest to the same error on 5 of 7 scenes, 2.1 to 31 times sooner than
+/// the next; 1 not judged". Ties count as "1 without a winner". A winner that is not right on all has one more: "Where
+/// pm wins, it is right on 2, biased on 3 by up to 1.9 % of a block's light". Empty without races.
 std::string races_sentence(const View& view);
 
 /// Results of races: a row for each race, a column for each engine.

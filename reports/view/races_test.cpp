@@ -88,14 +88,14 @@ TEST(Races, are_summed_up_in_one_sentence) {
 TEST(Races, of_a_winner_that_is_not_right_say_so_in_the_sentence) {
   Results results = sample_conclusions();
   results.races.pop_back();
-  EXPECT_EQ(
-      races_sentence(arrange(results)),
-      "photon is fastest to the same error on 1 of 1 scene, 9.0 to 11 times sooner than the next (of these 1 biased "
-      "on 1 by 1.2 %)");
+  EXPECT_EQ(races_sentence(arrange(results)),
+            "photon is fastest to the same error on 1 of 1 scene, 9.0 to 11 times sooner than the next. Where photon "
+            "wins, it "
+            "is biased on 1 by 1.2 %");
   results.races.push_back(results.races.front());
   results.races.back().scene = "hole";
   const std::string two = "photon is fastest to the same error on 2 of 2 scenes, 9.0 to 11 times sooner than the next";
-  EXPECT_EQ(races_sentence(arrange(results)), two + " (of these 2 biased on 1 by 1.2 %)");
+  EXPECT_EQ(races_sentence(arrange(results)), two + ". Where photon wins, it is biased on 1 by 1.2 %");
   // The hole has images of its own, whose verdict stands in a copy of the box's curve.
   Convergence curve = results.convergence.front();
   curve.scene = "hole";
@@ -110,9 +110,9 @@ TEST(Races, of_a_winner_that_is_not_right_say_so_in_the_sentence) {
       }
     return races_sentence(arrange(more));
   };
-  EXPECT_EQ(with(Correctness::right), two + " (of these 2 right on 1, biased on 1 by 1.2 %)");
-  EXPECT_EQ(with(Correctness::noisy), two + " (of these 2 biased on 1 by 1.2 %, too noisy to judge on 1)");
-  EXPECT_EQ(with(Correctness::biased), two + " (of these 2 biased on 2 by up to 1.2 %)");
+  EXPECT_EQ(with(Correctness::right), two + ". Where photon wins, it is right on 1, biased on 1 by 1.2 %");
+  EXPECT_EQ(with(Correctness::noisy), two + ". Where photon wins, it is biased on 1 by 1.2 %, too noisy to judge on 1");
+  EXPECT_EQ(with(Correctness::biased), two + ". Where photon wins, it is biased on 2 by up to 1.2 %");
 }
 
 TEST(Races, name_who_has_less_error_in_the_same_time_beyond_noise) {
