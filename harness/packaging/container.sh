@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
+#   harness/packaging/container.sh PACKAGES [BASE]
 # Builds a container image from the Debian package of deb.sh, and tries it: pictures, demo and a gate by a user without
 # rights. Prints times, and what the image adds to its base. Needs podman (Debian's package) and root or subuids.
-#   harness/packaging/container.sh PACKAGES [BASE]     PACKAGES is their folder; BASE is an image, debian:12 by default
-# Where no registry can be reached, "bare" as BASE makes a base by debootstrap, which needs root.
+# PACKAGES is the folder of the packages. BASE is an image, by default debian:12. The word "bare" makes a base by
+# debootstrap, for machines that reach no registry; it needs root.
 # Where a machine restricts containers, PODMAN is the program with options, such as "podman --runtime runc". PODMAN_RUN
 # has options of its `run`, such as "--ulimit nofile=1024:1024".
 # shellcheck disable=SC2086

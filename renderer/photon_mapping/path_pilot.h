@@ -5,9 +5,9 @@
 // block. A rare bright sample hides behind a mean that includes it. So the variance that a method adds to what all have
 // is relative to the other pixels of the block.
 // Samples come in two sets that do not depend on each other; within a set, Sobol samples are spread evenly. Passes of
-// powers of two keep that gain. So a sample has two variances:
-//   by itself     It is the variance within a set, in the mean over the sets.
-//   when spread   It is the variance of a set's mean, from the difference of two sets, times the samples of a set.
+// powers of two keep that gain. So a sample has two variances. That of a sample
+// by itself is the variance within a set, in the mean over the sets. That of a sample among spread ones is the variance
+// of a set's mean, from the difference of two sets, times the samples of a set.
 #pragma once
 
 #include <array>
