@@ -2,29 +2,24 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
+
+#include "scenes/base/bounds.h"
 
 namespace photonproof::inline scenes_description {
 namespace {
 
-struct Box {
-  Vec3d low{std::numeric_limits<double>::infinity()}, high{-std::numeric_limits<double>::infinity()};
+using Box = Bounds3d;
 
-  void add(const Vec3d& p) {
-    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
-  }
-  bool is_empty() const { return !(low.x <= high.x); }
-  /// A box around the transformed box.
-  Box transformed(const Transform& t) const {
-    Box result;
-    if (is_empty()) return result;
-    for (int corner = 0; corner < 8; ++corner)
-      result.add(t.point({corner & 1 ? high.x : low.x, corner & 2 ? high.y : low.y, corner & 4 ? high.z : low.z}));
-    return result;
-  }
-};
+/// A box around the transformed box.
+Box transformed(const Box& box, const Transform& t) {
+  Box result;
+  if (box.empty()) return result;
+  for (int corner = 0; corner < 8; ++corner)
+    result.add(t.point({corner & 1 ? box.high.x : box.low.x, corner & 2 ? box.high.y : box.low.y,
+                        corner & 4 ? box.high.z : box.low.z}));
+  return result;
+}
 
 /// The box of a shape in its local space.
 struct LocalBox {
@@ -74,8 +69,8 @@ struct LocalBox {
   Box box_of(const std::vector<ShapeDescription>& shapes) const {
     Box all;
     for (const ShapeDescription& shape : shapes) {
-      const Box box = std::visit(*this, shape.geometry).transformed(shape.to_world);
-      if (box.is_empty()) continue;
+      const Box box = transformed(std::visit(*this, shape.geometry), shape.to_world);
+      if (box.empty()) continue;
       all.add(box.low);
       all.add(box.high);
     }
@@ -87,7 +82,7 @@ struct LocalBox {
 
 SensorDescription sensor_around(const SceneDescription& scene, bool front) {
   Box box = LocalBox{scene}.box_of(scene.shapes);
-  if (box.is_empty()) box = {Vec3d(-1.0), Vec3d(1.0)};
+  if (box.empty()) box = {Vec3d(-1.0), Vec3d(1.0)};
   const double across = max_component(box.high - box.low), extent = across > 0 ? across : 1;
   const double distance = extent / (2 * std::tan(std::numbers::pi / 8));
   const Vec3d centre = (box.low + box.high) * 0.5;
